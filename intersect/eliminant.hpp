@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Everything a user of the library calls, in one include: <eliminant/eliminant.hpp>.
+#include <eliminant/base/context.hpp>
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/options.hpp>
+#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/result.hpp>
+#include <eliminant/version.hpp>
