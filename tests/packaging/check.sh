@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# check.sh find_package|add_subdirectory CMAKE SOURCE BUILD COMPILER BUILD_TYPE FLAGS
+# Builds and runs tests/packaging/consumer against eliminant, installed from the build tree BUILD into a prefix of its
+# own or taken in as a subdirectory.
+set -euo pipefail
+
+way=$1 cmake=$2 source=$3 build=$4 compiler=$5 build_type=$6 flags=$7
+work=$build/packaging/$way
+consumer=("$cmake" -S "$source/tests/packaging/consumer" -B "$work/build" -G Ninja "-DCMAKE_CXX_COMPILER=$compiler")
+
+case $way in
+  find_package)
+    rm -rf "$work"
+    "$cmake" --install "$build" --prefix "$work/prefix" >/dev/null
+    # No installed file may lead back into the source or build tree.
+    if grep -rlF -e "$source/" -e "$build/" "$work/prefix" --include='*.cmake' --include='*.hpp'; then
+      echo "the files above name the source or build tree" >&2
+      exit 1
+    fi
+    "${consumer[@]}" "-DCMAKE_PREFIX_PATH=$work/prefix" "-DCMAKE_BUILD_TYPE=$build_type" "-DCMAKE_CXX_FLAGS=$flags"
+    ;;
+  add_subdirectory)
+    # Not optimised, to compile the whole library a second time in less time.
+    "${consumer[@]}" "-DELIMINANT_SOURCE=$source" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0" \
+      "-DCMAKE_CXX_FLAGS=$flags"
+    ;;
+  *)
+    echo "unknown way: $way" >&2
+    exit 1
+    ;;
+esac
+"$cmake" --build "$work/build" --parallel 2 --target consumer
+"$work/build/consumer"
