@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace eliminant::intersect {
+
+enum class Engine { automatic, pencil, exact };
+enum class ResultantMatrix { automatic, sylvester, bezout };
+/// Which solutions are listed; the counts are always those of the whole complex plane.
+enum class Field { automatic, real, complex };
+
+/// What a caller may choose; every field has the default that the command line has.
+struct Options {
+  /// Significant decimal digits of each coordinate; 1 to 100000.
+  long digits = 15;
+  Engine engine = Engine::automatic;
+  ResultantMatrix matrix = ResultantMatrix::automatic;
+  /// Bits of the numeric stage: 53, 128, 256, 512 or 1024; 0 lets the solver start at 53 and climb.
+  int precision_bits = 0;
+  /// The paper's epsilon ([BuseKhalilMourrain2005], Algorithm 2): it decides how the numeric stage gathers eigenvalues
+  /// and chooses ranks, never what is reported. Unset: the number of clusters is the exact number of distinct roots.
+  std::optional<double> epsilon;
+  Field field = Field::automatic;
+  /// Prove each solution and the completeness of the list where that is possible.
+  bool certify = true;
+  /// Seeds the choice of primes. The answer does not depend on it.
+  std::uint64_t seed = 0;
+  /// Worker threads; the answer does not depend on it.
+  unsigned threads = 1;
+};
+
+}  // namespace eliminant::intersect
