@@ -3,7 +3,8 @@
 # check_layers.sh [FOLDER]
 # Checks the order of the layers in the source tree FOLDER (default: this one). The build already refuses to include a
 # layer that is not linked; this check finds what the include paths of a machine let through:
-#   symbolic/   is exact: no floating-point type, literal or function, no Eigen, Boost, MPFR, LAPACK
+#   symbolic/   is exact: no floating-point type, literal or function, no Eigen, Boost, MPFR, LAPACK (flint_headers.hpp
+#               includes MPFR for bridge/, as FLINT 3 wants it)
 #   numeric/    knows no FLINT and nothing of symbolic/
 #   cli/        only calls intersect/ and io/
 #   each layer  includes only itself and those below: base < symbolic, numeric < bridge < intersect < io < cli
@@ -79,7 +80,7 @@ for my $layer (sort keys %rules) {
         violation($file, $number, "$layer/ must not include this layer", $code)
           if $header =~ m{^eliminant/(\w+)/} && $1 !~ /^(?:$rule->{may})$/;
         violation($file, $number, "$layer/ must not include this header", $code)
-          if defined $rule->{headers} && $header =~ m{^(?:$rule->{headers})(?:$|(?<=/)|[\w/.]*$)};
+          if defined $rule->{headers} && !($file =~ m{/flint_headers\.hpp$} && $header eq 'mpfr.h') && $header =~ m{^(?:$rule->{headers})(?:$|(?<=/)|[\w/.]*$)};
         next;
       }
       violation($file, $number, "$layer/ must not use this name", $code)

@@ -2,7 +2,10 @@
 #pragma once
 
 // The one place where the two supported FLINT families differ: FLINT 2.9 with Arb 2.23 as a library of its own
-// (headers <arb.h>), and FLINT 3, which contains Arb (headers <flint/arb.h>).
+// (headers <arb.h>), and FLINT 3, which contains Arb (headers <flint/arb.h>). FLINT 3 declares its conversions to MPFR,
+// which bridge/ needs, only where <mpfr.h> came first.
+#include <mpfr.h>
+
 #include <flint/flint.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_mpoly.h>
@@ -12,6 +15,8 @@
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_poly_mat.h>
+#include <flint/fmpz_vec.h>
+#include <flint/nmod.h>
 #include <flint/nmod_mat.h>
 #include <flint/nmod_poly.h>
 #include <flint/nmod_vec.h>
