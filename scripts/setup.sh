@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# setup.sh [--ci]
-# Installs what the build needs and this machine does not have, with apt-get (Debian 12 or later, Ubuntu 24.04 or later).
-# Does nothing, at once, when nothing is missing. --ci adds what .ci/run needs beyond the build.
+# setup.sh [PACKAGE...]
+# Installs what the build needs and this machine does not have, with apt-get (Debian 12 or later, Ubuntu 24.04 or later),
+# and the further packages named. Does nothing, at once, when nothing is missing.
 set -euo pipefail
 
 wanted=(
   g++ cmake ninja-build
   libflint-dev libgmp-dev libmpfr-dev libopenblas-pthread-dev libeigen3-dev libboost-dev
   nlohmann-json3-dev libfmt-dev libcli11-dev doctest-dev libbenchmark-dev
+  "$@"
 )
-if [ "${1:-}" = --ci ]; then wanted+=(clang-format-14 git); fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "setup: no apt-get here; install the equivalents of: ${wanted[*]} (and Arb 2.23 if FLINT is older than 3)" >&2
@@ -51,7 +51,7 @@ if [ "$(id -u)" -ne 0 ]; then
   root=(sudo)
 fi
 
-"${root[@]}" apt-get update -qq >&2
+"${root[@]}" apt-get update -qq >&2 || echo "setup: the package lists could not be updated; going on with the old" >&2
 flint=${flint:-$(candidate libflint-dev)}
 if [ -n "$flint" ] && ! contains_arb "$flint" && [ -z "${version[libflint-arb-dev]:-}" ]; then
   missing+=(libflint-arb-dev)
