@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The LAPACK routines used, declared here because Debian's and Ubuntu's C interface is an optional package.
+extern "C" {
+/// Generalized eigenvalues and right eigenvectors of a real pencil by the QZ algorithm [MolerStewart1973].
+void dggev_(const char* jobvl, const char* jobvr, const int* n, double* a, const int* lda, double* b, const int* ldb,
+            double* alphar, double* alphai, double* beta, double* vl, const int* ldvl, double* vr, const int* ldvr,
+            double* work, const int* lwork, int* info);
+}
