@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include <eliminant/bridge/ball.hpp>
+
+namespace eliminant::bridge {
+
+/// The number value * 10^exponent.
+struct Decimal {
+  symbolic::Integer value;
+  long exponent = 0;
+
+  symbolic::Rational to_rational() const;
+  /// Without trailing zeros: plain where the number is not too long that way, otherwise like `1.25e-40`.
+  std::string to_string() const;
+};
+
+/// The midpoint of a real ball rounded to a multiple of 10^exponent: first to 10^(exponent - 5), then half to even, so
+/// that enclosures of one number round alike even where it lies half-way.
+Decimal round_to_decimal(arb_srcptr ball, long exponent);
+
+/// The least e with |z| < 10^e for all z of the ball, or one more; the exponent of the larger of both parts. The ball
+/// must be finite and not contain 0.
+long decimal_magnitude(const ComplexBall& ball);
+
+}  // namespace eliminant::bridge

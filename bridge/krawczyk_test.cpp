@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include <eliminant/bridge/krawczyk_test.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+/// A 2 x 2 matrix of complex balls, row by row.
+struct BallMatrix {
+  ComplexBall a, b, c, d;
+};
+
+/// Replaces a ball by its midpoint.
+void drop_radius(ComplexBall& z) {
+  acb_get_mid(z.get(), z.get());
+}
+
+/// An approximate inverse of the Jacobian at one point, exact numbers; nullopt when its determinant may be zero.
+std::optional<BallMatrix> approximate_inverse(const BallJet& p, const BallJet& q, long precision_bits) {
+  ComplexBall determinant;
+  ComplexBall product;
+  acb_mul(determinant.get(), p.dx.get(), q.dy.get(), precision_bits);
+  acb_mul(product.get(), p.dy.get(), q.dx.get(), precision_bits);
+  acb_sub(determinant.get(), determinant.get(), product.get(), precision_bits);
+  drop_radius(determinant);
+  if (acb_is_zero(determinant.get())) return std::nullopt;
+  BallMatrix inverse{q.dy, p.dy, q.dx, p.dx};
+  acb_neg(inverse.b.get(), inverse.b.get());
+  acb_neg(inverse.c.get(), inverse.c.get());
+  for (ComplexBall* entry : {&inverse.a, &inverse.b, &inverse.c, &inverse.d}) {
+    drop_radius(*entry);
+    acb_div(entry->get(), entry->get(), determinant.get(), precision_bits);
+    drop_radius(*entry);
+    if (!acb_is_finite(entry->get())) return std::nullopt;
+  }
+  return inverse;
+}
+
+/// u v + w z.
+ComplexBall inner_product(const ComplexBall& u, const ComplexBall& v, const ComplexBall& w, const ComplexBall& z,
+                          long precision_bits) {
+  ComplexBall sum;
+  acb_mul(sum.get(), u.get(), v.get(), precision_bits);
+  acb_addmul(sum.get(), w.get(), z.get(), precision_bits);
+  return sum;
+}
+
+PlaneBall midpoint(const PlaneBall& box) {
+  PlaneBall result = box;
+  drop_radius(result.x);
+  drop_radius(result.y);
+  return result;
+}
+
+/// |u| + |v| < 1, proven.
+bool row_sum_below_one(const ComplexBall& u, const ComplexBall& v) {
+  mag_t sum;
+  mag_t term;
+  mag_init(sum);
+  mag_init(term);
+  acb_get_mag(sum, u.get());
+  acb_get_mag(term, v.get());
+  mag_add(sum, sum, term);
+  const bool below = mag_cmp_2exp_si(sum, 0) < 0;
+  mag_clear(term);
+  mag_clear(sum);
+  return below;
+}
+
+/// An upper bound of log2 |z|; a very small number for zero.
+long magnitude_log2(const ComplexBall& z) {
+  mag_t magnitude;
+  mag_init(magnitude);
+  acb_get_mag(magnitude, z.get());
+  long result = -(1L << 40);
+  if (mag_is_special(magnitude) == 0)
+    result = static_cast<long>(fmpz_get_si(MAG_EXPREF(magnitude)));
+  else if (mag_is_inf(magnitude))
+    result = 1L << 40;
+  mag_clear(magnitude);
+  return result;
+}
+
+/// The square box of half-width 2^radius_log2 around an exact point.
+PlaneBall inflate(const PlaneBall& point, long radius_log2) {
+  PlaneBall box = point;
+  for (ComplexBall* coordinate : {&box.x, &box.y}) {
+    arb_add_error_2exp_si(coordinate->real(), radius_log2);
+    arb_add_error_2exp_si(coordinate->imaginary(), radius_log2);
+  }
+  return box;
+}
+
+long radius_log2(const PlaneBall& box) {
+  ComplexBall radius;
+  long result = -(1L << 40);
+  for (const ComplexBall* coordinate : {&box.x, &box.y}) {
+    arb_get_rad_arb(radius.real(), coordinate->real());
+    arb_get_rad_arb(radius.imaginary(), coordinate->imaginary());
+    result = std::max(result, magnitude_log2(radius));
+  }
+  return result;
+}
+
+PlaneBall conjugate(const PlaneBall& box) {
+  PlaneBall result = box;
+  acb_conj(result.x.get(), result.x.get());
+  acb_conj(result.y.get(), result.y.get());
+  return result;
+}
+
+/// The smallest box around both, widened by a half on each side: the Krawczyk test needs room.
+PlaneBall widened_hull(const PlaneBall& a, const PlaneBall& b, long precision_bits) {
+  PlaneBall hull;
+  acb_union(hull.x.get(), a.x.get(), b.x.get(), precision_bits);
+  acb_union(hull.y.get(), a.y.get(), b.y.get(), precision_bits);
+  for (ComplexBall* coordinate : {&hull.x, &hull.y})
+    for (arb_ptr part : {coordinate->real(), coordinate->imaginary()})
+      mag_mul_2exp_si(arb_radref(part), arb_radref(part), 1);
+  return hull;
+}
+
+}  // namespace
+
+std::optional<PlaneBall> krawczyk_test(const BallCurve& p, const BallCurve& q, const PlaneBall& box,
+                                       long precision_bits) {
+  const PlaneBall m = midpoint(box);
+  const BallJet p_at_m = p.jet(m, precision_bits);
+  const BallJet q_at_m = q.jet(m, precision_bits);
+  const std::optional<BallMatrix> inverse = approximate_inverse(p_at_m, q_at_m, precision_bits);
+  if (!inverse) return std::nullopt;
+  const BallMatrix& c = *inverse;
+  const BallJet p_on_box = p.jet(box, precision_bits);
+  const BallJet q_on_box = q.jet(box, precision_bits);
+  // E = I - C J(X).
+  BallMatrix e{inner_product(c.a, p_on_box.dx, c.b, q_on_box.dx, precision_bits),
+               inner_product(c.a, p_on_box.dy, c.b, q_on_box.dy, precision_bits),
+               inner_product(c.c, p_on_box.dx, c.d, q_on_box.dx, precision_bits),
+               inner_product(c.c, p_on_box.dy, c.d, q_on_box.dy, precision_bits)};
+  acb_sub_si(e.a.get(), e.a.get(), 1, precision_bits);
+  acb_sub_si(e.d.get(), e.d.get(), 1, precision_bits);
+  for (ComplexBall* entry : {&e.a, &e.b, &e.c, &e.d}) acb_neg(entry->get(), entry->get());
+  if (!row_sum_below_one(e.a, e.b) || !row_sum_below_one(e.c, e.d)) return std::nullopt;
+
+  PlaneBall offset;  // X - m
+  acb_sub(offset.x.get(), box.x.get(), m.x.get(), precision_bits);
+  acb_sub(offset.y.get(), box.y.get(), m.y.get(), precision_bits);
+  PlaneBall image{inner_product(e.a, offset.x, e.b, offset.y, precision_bits),
+                  inner_product(e.c, offset.x, e.d, offset.y, precision_bits)};
+  const ComplexBall step_x = inner_product(c.a, p_at_m.value, c.b, q_at_m.value, precision_bits);
+  const ComplexBall step_y = inner_product(c.c, p_at_m.value, c.d, q_at_m.value, precision_bits);
+  acb_sub(image.x.get(), image.x.get(), step_x.get(), precision_bits);
+  acb_sub(image.y.get(), image.y.get(), step_y.get(), precision_bits);
+  acb_add(image.x.get(), image.x.get(), m.x.get(), precision_bits);
+  acb_add(image.y.get(), image.y.get(), m.y.get(), precision_bits);
+  if (!acb_contains(box.x.get(), image.x.get()) || !acb_contains(box.y.get(), image.y.get())) return std::nullopt;
+  return image;
+}
+
+std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, const PlaneBall& point,
+                                      long precision_bits) {
+  const PlaneBall m = midpoint(point);
+  const BallJet p_at_m = p.jet(m, precision_bits);
+  const BallJet q_at_m = q.jet(m, precision_bits);
+  const std::optional<BallMatrix> inverse = approximate_inverse(p_at_m, q_at_m, precision_bits);
+  if (!inverse) return std::nullopt;
+  const ComplexBall step_x = inner_product(inverse->a, p_at_m.value, inverse->b, q_at_m.value, precision_bits);
+  const ComplexBall step_y = inner_product(inverse->c, p_at_m.value, inverse->d, q_at_m.value, precision_bits);
+  NewtonStep result{m, std::max(magnitude_log2(step_x), magnitude_log2(step_y))};
+  acb_sub(result.point.x.get(), m.x.get(), step_x.get(), precision_bits);
+  acb_sub(result.point.y.get(), m.y.get(), step_y.get(), precision_bits);
+  drop_radius(result.point.x);
+  drop_radius(result.point.y);
+  if (!acb_is_finite(result.point.x.get()) || !acb_is_finite(result.point.y.get())) return std::nullopt;
+  return result;
+}
+
+std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
+                                             long target_log2, long max_precision_bits) {
+  PlaneBall point = midpoint(start);
+  const long size_log2 = std::max({0L, magnitude_log2(point.x), magnitude_log2(point.y)});
+  // Rounding loses some bits in the evaluation: start with room for them.
+  long precision_bits = std::max(96L, size_log2 - target_log2 + 40);
+  for (; precision_bits <= max_precision_bits; precision_bits *= 2) {
+    // Newton's method doubles the digits: low precision first, the full one for the last steps.
+    long working = std::min(precision_bits, 128L);
+    for (int step = 0; step < 60; ++step) {
+      const std::optional<NewtonStep> next = newton_step(p, q, point, working);
+      if (!next) return std::nullopt;
+      point = next->point;
+      if (working < precision_bits && next->step_log2 < size_log2 - working / 4)
+        working = std::min(precision_bits, working * 2);
+      else if (working == precision_bits && next->step_log2 < target_log2 - 4)
+        break;
+    }
+    const std::optional<NewtonStep> check = newton_step(p, q, point, precision_bits);
+    if (!check) return std::nullopt;
+    const long floor_log2 = size_log2 - precision_bits + 16;
+    for (const long radius : {std::max(check->step_log2 + 2, floor_log2), std::max(check->step_log2 + 8, floor_log2 + 8)}) {
+      const std::optional<PlaneBall> image = krawczyk_test(p, q, inflate(point, radius), precision_bits);
+      if (image && radius_log2(*image) <= target_log2) return image;
+    }
+  }
+  return std::nullopt;
+}
+
+bool zero_is_real(const BallCurve& p, const BallCurve& q, const PlaneBall& box, long precision_bits) {
+  return krawczyk_test(p, q, widened_hull(box, conjugate(box), precision_bits), precision_bits).has_value();
+}
+
+bool enclose_same_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b,
+                       long precision_bits) {
+  return krawczyk_test(p, q, widened_hull(a, b, precision_bits), precision_bits).has_value();
+}
+
+}  // namespace eliminant::bridge
