@@ -36,4 +36,15 @@ inline Locate locate_in(std::string_view text) {
   return [text](std::size_t offset) { return place_in(text, offset); };
 }
 
+/// Runs `compute`; a LimitReached without a place gets that of `offset`.
+template <class LocateOffset, class Compute>
+auto with_place(const LocateOffset& locate, std::size_t offset, Compute compute) {
+  try {
+    return compute();
+  } catch (const LimitReached& limit) {
+    if (limit.place().line != 0) throw;
+    throw LimitReached(limit.what(), locate(offset));
+  }
+}
+
 }  // namespace eliminant

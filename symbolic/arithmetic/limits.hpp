@@ -17,7 +17,7 @@ struct Limits {
   /// Terms of a polynomial after expansion.
   std::size_t terms = 1'000'000;
   /// Decimal digits of all coefficients of one polynomial together, and of all its products and powers together.
-  std::size_t total_digits = 300'000'000;
+  std::size_t total_digits = 500'000'000;
   /// Parentheses inside one another.
   std::size_t nesting = 500;
 

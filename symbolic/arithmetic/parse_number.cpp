@@ -75,17 +75,16 @@ std::size_t value_up_to(std::string_view digits, std::size_t limit) {
 
 std::size_t number_literal_length(std::string_view text) { return split_literal(text).end; }
 
-Rational number_literal_value(std::string_view literal, const Limits& limits, SourcePlace place) {
+Rational number_literal_value(std::string_view literal, const Limits& limits) {
   const Literal parts = split_literal(literal);
   const std::size_t digit_count = parts.whole.size() + parts.fraction.size();
   if (digit_count > limits.digits)
     throw LimitReached("a number has " + std::to_string(digit_count) + " digits, the limit is " +
-                           std::to_string(limits.digits),
-                       place);
+                       std::to_string(limits.digits));
   const std::size_t exponent_limit = parts.base == 16 ? 3 * limits.decimal_exponent : limits.decimal_exponent;
   const std::size_t exponent = value_up_to(parts.exponent, exponent_limit);
   if (exponent > exponent_limit)
-    throw LimitReached("a number has an exponent beyond the limit " + std::to_string(exponent_limit), place);
+    throw LimitReached("a number has an exponent beyond the limit " + std::to_string(exponent_limit));
 
   const Integer digits = Integer::from_string(std::string(parts.whole) + std::string(parts.fraction), parts.base);
   if (digits.is_zero()) return Rational();
@@ -124,7 +123,8 @@ Rational parse_number(std::string_view text, const Limits& limits, const Locate&
     }
     const std::size_t length = number_literal_length(text.substr(at));
     if (length == 0) refuse(expected);
-    const Rational value = number_literal_value(text.substr(at, length), limits, place_of(at));
+    const Rational value =
+        with_place(place_of, at, [&] { return number_literal_value(text.substr(at, length), limits); });
     at += length;
     skip_blanks();
     return negative ? -value : value;

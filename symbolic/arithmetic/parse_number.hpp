@@ -15,8 +15,8 @@ namespace eliminant::symbolic {
 std::size_t number_literal_length(std::string_view text);
 
 /// The exact value of an unsigned number literal, never rounded: 0.1 is 1/10. `literal` must be one in full.
-/// Throws LimitReached, with `place`, when it has too many digits or too large an exponent.
-Rational number_literal_value(std::string_view literal, const Limits& limits, SourcePlace place);
+/// Throws LimitReached, without a place, when it has too many digits or too large an exponent.
+Rational number_literal_value(std::string_view literal, const Limits& limits);
 
 /// The exact value of `text`: a literal or a fraction of two literals, an optional sign before each, blanks around.
 /// Throws ParseError on anything else (also a zero denominator) and LimitReached; both with the place, found by
