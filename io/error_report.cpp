@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/io/error_report.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <new>
+
+#include <eliminant/io/json_layout.hpp>
+
+namespace eliminant::io {
+
+ErrorReport report_error(const std::exception& error) {
+  if (const auto* parse = dynamic_cast<const ParseError*>(&error))
+    return {"parse_error", 2, parse->what(), parse->expected(), parse->place()};
+  if (const auto* invalid = dynamic_cast<const InvalidInput*>(&error))
+    return {"invalid_input", 2, invalid->what(), invalid->expected(), invalid->place()};
+  if (const auto* limit = dynamic_cast<const LimitReached*>(&error))
+    return {"limit", 3, limit->what(), {}, limit->place()};
+  if (dynamic_cast<const PrecisionExhausted*>(&error) != nullptr) return {"precision", 3, error.what(), {}, {}};
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+      dynamic_cast<const std::length_error*>(&error) != nullptr)
+    return {"limit", 3, "the memory is exhausted", {}, {}};
+  if (dynamic_cast<const OutputError*>(&error) != nullptr) return {"output", 1, error.what(), {}, {}};
+  return {"internal", 1, error.what(), {}, {}};
+}
+
+std::string error_line(const ErrorReport& report, const std::string& source) {
+  std::string line = source;
+  if (report.place.line != 0)
+    line += ":" + std::to_string(report.place.line) + ":" + std::to_string(report.place.column);
+  line += (line.empty() ? "" : ": ") + report.message;
+  if (!report.expected.empty()) line += "; expected " + report.expected;
+  return line;
+}
+
+std::string error_json(const ErrorReport& report, const std::optional<ProblemId>& id, bool incomplete) {
+  nlohmann::ordered_json out;
+  out["format"] = 1;
+  out["problem"] = "plane_curves";
+  if (id) std::visit([&](const auto& value) { out["id"] = value; }, *id);
+  out["status"] = incomplete ? "incomplete" : "error";
+  nlohmann::ordered_json& error = out["error"];
+  error["kind"] = report.kind;
+  error["message"] = report.message;
+  const bool placed = report.place.line != 0;
+  error["line"] = placed ? nlohmann::ordered_json(report.place.line) : nullptr;
+  error["column"] = placed ? nlohmann::ordered_json(report.place.column) : nullptr;
+  error["expected"] = report.expected.empty() ? nullptr : nlohmann::ordered_json(report.expected);
+  if (incomplete) out["solutions"] = nlohmann::ordered_json::array();
+  return json_layout(out);
+}
+
+}  // namespace eliminant::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace eliminant::io {
+
+/// Lets FLINT, GMP and MPFR throw instead of ending the process, also when memory is exhausted. For the program, once,
+/// before anything else.
+void prepare_exact_arithmetic();
+
+/// Limits the address space of the process, libraries included; beyond it allocations throw std::bad_alloc. Without
+/// effect where the system has no such limit.
+void limit_memory(long megabytes);
+
+}  // namespace eliminant::io

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/io/run_options.hpp>
+#include <eliminant/symbolic/arithmetic/limits.hpp>
+
+namespace eliminant::io {
+
+/// What the author of a problem calls it; repeated in the result.
+using ProblemId = std::variant<std::string, long>;
+
+/// A problem and what its author chose for it.
+struct ProblemFile {
+  intersect::PlaneCurvesProblem problem;
+  std::optional<ProblemId> id;
+  std::vector<OptionSetting> options;
+};
+
+enum class ProblemSyntax { json, msolve };
+
+/// What the caller decides about reading a problem.
+struct ReadSettings {
+  /// In place of the variables of the file.
+  std::optional<std::vector<std::string>> variables;
+  symbolic::Limits limits;
+};
+
+/// msolve for the name `*.ms`; else by the first character: JSON begins with "{" or "[", and has quotes.
+ProblemSyntax problem_syntax(const std::string& path, std::string_view text);
+
+/// Reads one problem of the kind plane_curves (docs/formats.md). All numbers are exact. When `id` is given it is set as
+/// soon as it is known, also if the rest is refused.
+/// Throws ParseError (syntax), InvalidInput (unknown or missing fields, wrong types, problem kinds of later versions)
+/// and LimitReached (too large), each with the place in `text`.
+ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const ReadSettings& settings = {},
+                         std::optional<ProblemId>* id = nullptr);
+
+/// The problem of two polynomials and a box `[[a, b], [c, d]]` written apart, as on the command line.
+ProblemFile problem_from_arguments(const std::string& p, const std::string& q, const std::optional<std::string>& box,
+                                   const ReadSettings& settings = {});
+
+}  // namespace eliminant::io

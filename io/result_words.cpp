@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/io/result_words.hpp>
+
+namespace eliminant::io {
+
+const char* word_for(intersect::Status status) {
+  switch (status) {
+    case intersect::Status::certified:
+      return "certified";
+    case intersect::Status::numeric:
+      return "numeric";
+    case intersect::Status::infinite:
+      return "infinite";
+    case intersect::Status::incomplete:
+      return "incomplete";
+  }
+  return "incomplete";
+}
+
+const char* word_for(intersect::Reality reality) {
+  switch (reality) {
+    case intersect::Reality::real:
+      return "true";
+    case intersect::Reality::non_real:
+      return "false";
+    case intersect::Reality::undecided:
+      return "undecided";
+  }
+  return "undecided";
+}
+
+}  // namespace eliminant::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <eliminant/intersect/result.hpp>
+
+namespace eliminant::io {
+
+/// `certified`, `numeric`, `infinite`, `incomplete`: the same words in every format.
+const char* word_for(intersect::Status status);
+
+/// `true`, `false`, `undecided`.
+const char* word_for(intersect::Reality reality);
+
+}  // namespace eliminant::io
