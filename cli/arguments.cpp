@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/cli/arguments.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include <eliminant/cli/polynomial_arguments.hpp>
+#include <eliminant/version.hpp>
+
+namespace eliminant::cli {
+
+namespace {
+
+constexpr std::array later_commands{"implicitize", "verify", "batch", "report"};
+
+struct OptionText {
+  const char* name;
+  const char* value;
+  const char* description;
+};
+
+// The options that a problem file may hold as well (io::option_names); their values are checked there, once for both.
+constexpr std::array<OptionText, 10> valued_options{{
+    {"format", "text|json|csv", "how the answer is printed (default text)"},
+    {"digits", "N", "significant decimal digits of each coordinate (default 15)"},
+    {"engine", "auto|pencil|exact", "how the solutions are found (default auto)"},
+    {"matrix", "auto|sylvester|bezout", "which resultant matrix (default auto)"},
+    {"precision", "auto|53|128|256|512|1024", "bits of the numeric stage (default auto: climbs from 53)"},
+    {"epsilon", "E", "threshold of the published numeric algorithm; never decides what is reported"},
+    {"threads", "N", "worker threads (default 1); the answer does not depend on it"},
+    {"time-limit", "S", "seconds until the computation ends with status incomplete"},
+    {"memory-limit", "MB", "address space of the process in megabytes"},
+    {"seed", "N", "seed of the choice of primes (default 0); the answer does not depend on it"},
+}};
+constexpr std::array<OptionText, 4> switches{{
+    {"real", "", "list the real solutions only"},
+    {"complex", "", "list all complex solutions (default without a box)"},
+    {"certify", "", "prove each solution and the completeness of the list (default)"},
+    {"no-certify", "", "leave the proofs out"},
+}};
+
+void add_common_options(CLI::App& app, Arguments& arguments) {
+  for (const auto& [name, value, description] : valued_options)
+    app.add_option_function<std::string>(
+           std::string("--") + name,
+           [&arguments, name = std::string(name)](const std::string& given) {
+             arguments.settings.push_back({name, given, {}});
+           },
+           description)
+        ->type_name(value);
+  for (const auto& [name, value, description] : switches)
+    app.add_flag_callback(
+        std::string("--") + name,
+        [&arguments, name = std::string(name)] {
+          arguments.settings.push_back({name, "true", {}});
+        },
+        description);
+  app.add_option("--variables", arguments.variables, "names and order of the two variables")->type_name("x,y");
+  app.add_option("-o,--output", arguments.output, "write the answer to FILE instead of standard output")
+      ->type_name("FILE");
+  app.add_flag("--echo", arguments.echo, "print the problem as understood (JSON, can be read back) and stop");
+  CLI::Option* const progress = app.add_flag("--progress", arguments.progress, "report the stages on standard error");
+  app.add_flag("--quiet", arguments.quiet, "no warnings on standard error")->excludes(progress);
+}
+
+}  // namespace
+
+std::variant<Arguments, Information> parse_arguments(const std::vector<std::string>& words) {
+  if (!words.empty() && std::find(later_commands.begin(), later_commands.end(), words.front()) != later_commands.end())
+    throw UsageError("the command " + words.front() + " is not supported by this version; expected solve or curves");
+
+  Arguments arguments;
+  CLI::App app("Intersections of plane curves by resultant matrices.", "eliminant");
+  app.set_version_flag("--version", "eliminant " + std::string(version));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 answered, 1 internal error or output that cannot be written, 2 bad input or usage,\n"
+      "3 a limit was reached. Example: eliminant curves \"x^2 + y^2 - 5\" \"x*y - 2\"");
+  CLI::App* const solve = app.add_subcommand("solve", "solve the problem in a file (JSON, or .ms of msolve)");
+  solve->add_option("FILE", arguments.file, "the problem; - is standard input")->required();
+  CLI::App* const curves = app.add_subcommand("curves", "intersect the curves P = 0 and Q = 0");
+  curves->add_option("P", arguments.p, "a polynomial, such as \"400*y^4 - 160*x^2*y^2 + 25/16\"")->required();
+  curves->add_option("Q", arguments.q, "a polynomial; put -- before one that begins with two dashes")->required();
+  curves->add_option("--box", arguments.box, "only the real solutions in this closed rectangle")
+      ->type_name("[[a,b],[c,d]]");
+  for (CLI::App* command : {&app, solve, curves}) add_common_options(*command, arguments);
+
+  // CLI11 takes the words from the back.
+  std::vector<std::string> reversed = protect_polynomials(words, *curves);
+  std::reverse(reversed.begin(), reversed.end());
+  try {
+    app.parse(reversed);
+  } catch (const CLI::CallForVersion& call) {
+    return Information{std::string(call.what()) + "\n"};
+  } catch (const CLI::CallForHelp&) {
+    return Information{app.help()};
+  } catch (const CLI::CallForAllHelp&) {
+    return Information{app.help("", CLI::AppFormatMode::All)};
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; see eliminant --help");
+  }
+  arguments.command = solve->parsed() ? Arguments::Command::solve : Arguments::Command::curves;
+  return arguments;
+}
+
+io::Format format_in(const std::vector<std::string>& words) {
+  io::Format format = io::Format::text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool json =
+        words[i] == "--format=json" || (words[i] == "--format" && i + 1 < words.size() && words[i + 1] == "json");
+    if (json) format = io::Format::json;
+  }
+  return format;
+}
+
+}  // namespace eliminant::cli

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/cli/run.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/cli/hard_stop.hpp>
+#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/io/error_report.hpp>
+#include <eliminant/io/input_text.hpp>
+#include <eliminant/io/memory_limit.hpp>
+#include <eliminant/io/plane_curves_input.hpp>
+#include <eliminant/io/problem_echo.hpp>
+#include <eliminant/io/problem_file.hpp>
+#include <eliminant/io/result_csv.hpp>
+#include <eliminant/io/result_json.hpp>
+#include <eliminant/io/result_text.hpp>
+
+namespace eliminant::cli {
+
+namespace {
+
+// What a signal handler may touch. The second Ctrl-C ends the process in the usual way.
+std::atomic<Context*> interrupted_context{nullptr};
+
+void cancel_computation(int signal) {
+  if (Context* const context = interrupted_context.load()) context->cancel();
+  std::signal(signal, SIG_DFL);
+}
+
+class Interruptible {
+ public:
+  explicit Interruptible(Context& context) {
+    interrupted_context = &context;
+    std::signal(SIGINT, cancel_computation);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  ~Interruptible() { interrupted_context = nullptr; }
+};
+
+void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
+
+// One run; its members are what is known of the problem when an error comes.
+class Run {
+ public:
+  explicit Run(const Arguments& arguments) : arguments_(arguments), answer_(arguments.output) {
+    io::apply_options(options_, arguments.settings);
+  }
+
+  int solve() {
+    try {
+      if (options_.memory_limit_megabytes) io::limit_memory(*options_.memory_limit_megabytes);
+      const io::ProblemFile file = read();
+      id_ = file.id;
+      options_ = {};
+      io::apply_options(options_, file.options);
+      io::apply_options(options_, arguments_.settings);
+      if (options_.memory_limit_megabytes) io::limit_memory(*options_.memory_limit_megabytes);
+      if (!arguments_.echo) return solve(file.problem);
+      give(io::echo_problem(file, options_));
+      return 0;
+    } catch (const io::OutputError&) {
+      throw;
+    } catch (const std::exception& error) {
+      return fail(io::report_error(error));
+    }
+  }
+
+ private:
+  io::ProblemFile read() {
+    io::ReadSettings settings;
+    if (arguments_.variables) {
+      settings.variables = io::split_at_commas(*arguments_.variables);
+      io::require_two_variables(*settings.variables, {});
+    }
+    if (arguments_.command == Arguments::Command::curves) {
+      source_ = "command line";
+      io::require_text(arguments_.p, "P");
+      io::require_text(arguments_.q, "Q");
+      return io::problem_from_arguments(arguments_.p, arguments_.q, arguments_.box, settings);
+    }
+    const std::string text = io::read_text(arguments_.file);
+    source_ = arguments_.file == "-" ? "standard input" : arguments_.file;
+    return io::read_problem(text, io::problem_syntax(arguments_.file, text), settings, &id_);
+  }
+
+  int solve(const intersect::PlaneCurvesProblem& problem) {
+    Context context;
+    if (arguments_.progress) {
+      say("threads: " + std::to_string(options_.solve.threads));
+      context.on_progress([](std::string_view stage) { say(std::string(stage)); });
+    }
+    std::unique_ptr<HardStop> hard_stop;
+    if (options_.time_limit_seconds) {
+      const double limit = *options_.time_limit_seconds;
+      context.limit_seconds(std::min(limit, 1e8));
+      // Stages end by themselves at their next look at the clock; the process ends if none comes soon.
+      hard_stop = std::make_unique<HardStop>(limit + std::max(0.5, 0.1 * limit), [this] { stop_hard(); });
+    }
+    const Interruptible interruptible(context);
+    solving_ = true;
+    const intersect::Result result = intersect::intersect_plane_curves(problem, options_.solve, context);
+    solving_ = false;
+    if (!arguments_.quiet)
+      for (const std::string& warning : result.warnings) say("warning: " + warning);
+    if (!arguments_.quiet && options_.format == io::Format::csv && result.common_component)
+      say("warning: the curves have a common component, which CSV cannot show");
+    give(print(result));
+    return result.status == intersect::Status::incomplete ? 3 : 0;
+  }
+
+  std::string print(const intersect::Result& result) const {
+    switch (options_.format) {
+      case io::Format::json:
+        return io::result_json(result, id_);
+      case io::Format::csv:
+        return io::result_csv(result);
+      case io::Format::text:
+        break;
+    }
+    return io::result_text(result, options_);
+  }
+
+  // Says what went wrong and gives the answer that stands for it.
+  int fail(const io::ErrorReport& report) {
+    say(io::error_line(report, source_));
+    const bool incomplete = solving_ && report.exit_status == 3;
+    if (options_.format == io::Format::json)
+      give(io::error_json(report, id_, incomplete));
+    else if (incomplete && options_.format == io::Format::text)
+      give("Status: incomplete: " + report.message + "\n");
+    return report.exit_status;
+  }
+
+  void give(const std::string& text) {
+    if (answer_.claim()) answer_.write(text);
+  }
+
+  void stop_hard() {
+    int status = 3;
+    try {
+      if (answer_.claim()) {
+        const io::ErrorReport report{"limit", 3, "the time limit was reached", {}, {}};
+        say(io::error_line(report, source_));
+        if (options_.format == io::Format::json) answer_.write(io::error_json(report, id_, true));
+        if (options_.format == io::Format::text) answer_.write("Status: incomplete: " + report.message + "\n");
+        std::_Exit(status);
+      }
+    } catch (const std::exception& error) {
+      say(error.what());
+      std::_Exit(1);
+    }
+  }
+
+  const Arguments& arguments_;
+  Answer answer_;
+  io::RunOptions options_;
+  std::optional<io::ProblemId> id_;
+  std::string source_;
+  bool solving_ = false;
+};
+
+}  // namespace
+
+int run(const Arguments& arguments) { return Run(arguments).solve(); }
+
+}  // namespace eliminant::cli
