@@ -12,10 +12,10 @@ folder=build/$preset
 
 if [ ! -f "$folder/build.ninja" ]; then cmake --preset "$preset" >&2; fi
 
-# The multiprecision sources take up to 1.5 GB of memory each to compile.
+# The multiprecision sources take up to 2 GB of memory each to compile.
 jobs=$(nproc)
 if [ -r /proc/meminfo ]; then
-  by_memory=$(awk '/^MemAvailable:/ {print int($2 / 1500000)}' /proc/meminfo)
+  by_memory=$(awk '/^MemAvailable:/ {print int($2 / 2000000)}' /proc/meminfo)
   if [ "$by_memory" -lt 1 ]; then by_memory=1; fi
   if [ "$by_memory" -lt "$jobs" ]; then jobs=$by_memory; fi
 fi
