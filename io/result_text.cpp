@@ -153,16 +153,32 @@ std::string solution_blocks(const Result& result) {
   return text;
 }
 
+// A column of numbers. Where one has a sign, the others get a blank in its place: digits stand below digits.
+std::vector<std::string> number_column(const std::string& name, std::vector<std::string> numbers) {
+  const bool with_signs = std::any_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.starts_with('-'); });
+  numbers.insert(numbers.begin(), name);
+  if (with_signs)
+    for (std::string& number : numbers)
+      if (!number.starts_with('-')) number.insert(0, " ");
+  return numbers;
+}
+
 std::string solution_table(const Result& result) {
-  // Numbers without a sign get a blank in its place, so that digits stand below digits.
-  const auto aligned = [](std::string text) { return text.starts_with('-') ? text : " " + text; };
-  std::vector<std::vector<std::string>> rows{
-      {"#", " " + result.variables[0], " " + result.variables[1], "multiplicity", "real", "radius", "certified"}};
-  for (const Solution& solution : result.solutions)
-    rows.push_back({std::to_string(rows.size()), aligned(coordinate_text(solution.x, solution.reality)),
-                    aligned(coordinate_text(solution.y, solution.reality)), std::to_string(solution.multiplicity),
+  std::vector<std::string> xs;
+  std::vector<std::string> ys;
+  for (const Solution& solution : result.solutions) {
+    xs.push_back(coordinate_text(solution.x, solution.reality));
+    ys.push_back(coordinate_text(solution.y, solution.reality));
+  }
+  xs = number_column(result.variables[0], std::move(xs));
+  ys = number_column(result.variables[1], std::move(ys));
+  std::vector<std::vector<std::string>> rows{{"#", xs[0], ys[0], "multiplicity", "real", "radius", "certified"}};
+  for (const Solution& solution : result.solutions) {
+    const std::size_t row = rows.size();
+    rows.push_back({std::to_string(row), xs[row], ys[row], std::to_string(solution.multiplicity),
                     reality_word(solution), "1e" + std::to_string(solution.radius_exponent),
                     solution.certified ? "yes" : "no"});
+  }
   if (table_width(rows) > widest_table) return solution_blocks(result);
   return "\n" + text_table(rows, {true, false, false, true, false, false, false});
 }
