@@ -25,7 +25,8 @@ RealBall power_of_ten(long exponent, long precision_bits) {
 }  // namespace
 
 symbolic::Rational Decimal::to_rational() const {
-  const symbolic::Integer scale = symbolic::power(symbolic::Integer(10), static_cast<unsigned long>(std::labs(exponent)));
+  const symbolic::Integer scale =
+      symbolic::power(symbolic::Integer(10), static_cast<unsigned long>(std::labs(exponent)));
   return exponent >= 0 ? symbolic::Rational(value * scale) : symbolic::Rational(value, scale);
 }
 
@@ -82,8 +83,8 @@ Decimal round_to_decimal(arb_srcptr ball, long exponent) {
 
 long decimal_magnitude(const ComplexBall& ball) {
   // The larger midpoint decides; a ball straddling a power of ten may come out one too large.
-  const arb_srcptr larger = arf_cmpabs(arb_midref(ball.real()), arb_midref(ball.imaginary())) >= 0 ? ball.real()
-                                                                                                   : ball.imaginary();
+  const arb_srcptr larger =
+      arf_cmpabs(arb_midref(ball.real()), arb_midref(ball.imaginary())) >= 0 ? ball.real() : ball.imaginary();
   RealBall magnitude;
   arb_abs(magnitude.get(), larger);
   RealBall logarithm;

@@ -13,9 +13,7 @@ struct BallMatrix {
 };
 
 /// Replaces a ball by its midpoint.
-void drop_radius(ComplexBall& z) {
-  acb_get_mid(z.get(), z.get());
-}
+void drop_radius(ComplexBall& z) { acb_get_mid(z.get(), z.get()); }
 
 /// An approximate inverse of the Jacobian at one point, exact numbers; nullopt when its determinant may be zero.
 std::optional<BallMatrix> approximate_inverse(const BallJet& p, const BallJet& q, long precision_bits) {
@@ -198,7 +196,8 @@ std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve
     const std::optional<NewtonStep> check = newton_step(p, q, point, precision_bits);
     if (!check) return std::nullopt;
     const long floor_log2 = size_log2 - precision_bits + 16;
-    for (const long radius : {std::max(check->step_log2 + 2, floor_log2), std::max(check->step_log2 + 8, floor_log2 + 8)}) {
+    for (const long radius :
+         {std::max(check->step_log2 + 2, floor_log2), std::max(check->step_log2 + 8, floor_log2 + 8)}) {
       const std::optional<PlaneBall> image = krawczyk_test(p, q, inflate(point, radius), precision_bits);
       if (image && radius_log2(*image) <= target_log2) return image;
     }

@@ -14,15 +14,14 @@ namespace eliminant::bridge {
 /// |I - C J(X)| is below 1. The returned box K(X) encloses that zero. nullopt: nothing was proven.
 ///
 /// Why: for z in X the segment from m to z stays in X, so F(z) - F(m) = M (z - m) with M in the convex set J(X), and
-/// z - C F(z) lies in K(X) within X: by Brouwer there is a fixed point, a zero as C is invertible. Two zeros z, z' would
-/// satisfy z - z' = (I - C M)(z - z') with a factor below 1 in the maximum norm. The same bound makes C M, and so J,
-/// invertible on X.
-/// Source: [Krawczyk1969]; for polynomial systems [BreidingRoseTimme2023].
+/// z - C F(z) lies in K(X) within X: by Brouwer there is a fixed point, a zero as C is invertible. Two zeros z, z'
+/// would satisfy z - z' = (I - C M)(z - z') with a factor below 1 in the maximum norm. The same bound makes C M, and so
+/// J, invertible on X. Source: [Krawczyk1969]; for polynomial systems [BreidingRoseTimme2023].
 std::optional<PlaneBall> krawczyk_test(const BallCurve& p, const BallCurve& q, const PlaneBall& box,
                                        long precision_bits);
 
-/// One Newton step from the midpoint of `point`, its result rounded to an exact point; nullopt where the Jacobian cannot
-/// be inverted at this precision. `step_log2` is an upper bound of log2 of the larger coordinate of the step.
+/// One Newton step from the midpoint of `point`, its result rounded to an exact point; nullopt where the Jacobian
+/// cannot be inverted at this precision. `step_log2` is an upper bound of log2 of the larger coordinate of the step.
 struct NewtonStep {
   PlaneBall point;
   long step_log2 = 0;
@@ -30,8 +29,8 @@ struct NewtonStep {
 std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, const PlaneBall& point,
                                       long precision_bits);
 
-/// Encloses the zero near `start` in a box whose radius is at most 2^target_log2: Newton steps, then the Krawczyk test on
-/// a slightly larger box, with the precision raised up to `max_precision_bits`. nullopt: not reached.
+/// Encloses the zero near `start` in a box whose radius is at most 2^target_log2: Newton steps, then the Krawczyk test
+/// on a slightly larger box, with the precision raised up to `max_precision_bits`. nullopt: not reached.
 std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
                                              long target_log2, long max_precision_bits);
 

@@ -68,8 +68,11 @@ std::vector<ComplexBall> enclose_roots(const symbolic::UnivariatePolynomial& squ
   BallVector roots(degree);
   BallVector start(degree);
   BallPolynomial rounded;
-  bool have_start = usable(approximations, degree);
-  for (slong i = 0; have_start && i < degree; ++i) acb_get_mid(start[i], approximations[static_cast<std::size_t>(i)].get());
+  std::vector<ComplexBall> nonzero;
+  for (const ComplexBall& approximation : approximations)
+    if (result.empty() || !acb_is_zero(approximation.get())) nonzero.push_back(approximation);
+  bool have_start = usable(nonzero, degree);
+  for (slong i = 0; have_start && i < degree; ++i) acb_get_mid(start[i], nonzero[static_cast<std::size_t>(i)].get());
 
   for (long precision_bits = 64;; precision_bits *= 2) {
     context.checkpoint("isolating roots");

@@ -9,8 +9,8 @@
 namespace eliminant::bridge {
 
 /// A rounded object: the exact one is 2^scale_log2 * value, up to a relative error of at most 2^-relative_error_bits in
-/// every coefficient (correct rounding). In double precision a coefficient that is smaller than 2^-1022 after scaling has
-/// instead an absolute error of at most 2^-1075; the largest one is in [1/2, 1].
+/// every coefficient (correct rounding). In double precision a coefficient that is smaller than 2^-1022 after scaling
+/// has instead an absolute error of at most 2^-1075; the largest one is in [1/2, 1].
 template <class T>
 struct Rounded {
   T value;

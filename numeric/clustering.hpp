@@ -18,10 +18,9 @@ struct ClusteringRule {
   Scalar distance = 0;  ///< or, where positive, when the next join is farther than this (the paper's epsilon)
 };
 
-/// Single-linkage clustering of complex numbers in the distance |a - b| / max(1, |a|, |b|). Clusters are ordered by their
-/// smallest index.
-/// Source: step 3 of Algorithm 2 of [BuseKhalilMourrain2005] for a given distance; with a count the exact number of
-/// distinct eigenvalues replaces the tolerance.
+/// Single-linkage clustering of complex numbers in the distance |a - b| / max(1, |a|, |b|). Clusters are ordered by
+/// their smallest index. Source: step 3 of Algorithm 2 of [BuseKhalilMourrain2005] for a given distance; with a count
+/// the exact number of distinct eigenvalues replaces the tolerance.
 template <class Scalar>
 std::vector<Cluster> cluster_values(const Vector<std::complex<Scalar>>& values, const ClusteringRule<Scalar>& rule) {
   const long n = values.size();
@@ -60,7 +59,8 @@ std::vector<Cluster> cluster_values(const Vector<std::complex<Scalar>>& values, 
       for (long j = 0; j < n; ++j) {
         if (inside[static_cast<std::size_t>(j)]) continue;
         const Scalar length = distance(best, j);
-        if (length < nearest[static_cast<std::size_t>(j)].length) nearest[static_cast<std::size_t>(j)] = {length, best, j};
+        if (length < nearest[static_cast<std::size_t>(j)].length)
+          nearest[static_cast<std::size_t>(j)] = {length, best, j};
       }
     }
   }

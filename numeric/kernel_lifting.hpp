@@ -20,8 +20,8 @@ long numerical_rank(const Values& singular_values, const Scalar& tolerance) {
   return rank;
 }
 
-/// An orthogonal basis (columns) of the span of the columns of `vectors`, as many as its numerical rank: E'' = U Sigma of
-/// the singular value decomposition (section 4.1, difficulty c).
+/// An orthogonal basis (columns) of the span of the columns of `vectors`, as many as its numerical rank: E'' = U Sigma
+/// of the singular value decomposition (section 4.1, difficulty c).
 template <class Scalar>
 Matrix<std::complex<Scalar>> independent_vectors(const Matrix<std::complex<Scalar>>& vectors, const Scalar& tolerance) {
   const Eigen::JacobiSVD<Matrix<std::complex<Scalar>>> svd(vectors, Eigen::ComputeThinU);
@@ -36,8 +36,8 @@ Matrix<std::complex<Scalar>> kernel(const Matrix<std::complex<Scalar>>& matrix, 
 }
 
 /// The y coordinates above one x: `basis` (n x r, r < n) spans the vectors (1, y, ..., y^(n-1)) of the fibre (and their
-/// derivatives in y for a multiple root of the fibre). Delta_0 and Delta_1 are its first r rows and rows 2 to r + 1, and
-/// the y are the eigenvalues of Delta_1 - y Delta_0. Infinite ones (both leading coefficients vanish) are left out.
+/// derivatives in y for a multiple root of the fibre). Delta_0 and Delta_1 are its first r rows and rows 2 to r + 1,
+/// and the y are the eigenvalues of Delta_1 - y Delta_0. Infinite ones (both leading coefficients vanish) are left out.
 /// Source: [BuseKhalilMourrain2005], Propositions 7 and 8.
 template <class Scalar>
 std::vector<std::complex<Scalar>> fibre_coordinates(const Matrix<std::complex<Scalar>>& basis) {

@@ -11,8 +11,8 @@
 
 namespace eliminant::numeric {
 
-/// The part of a regular pencil A - x B that belongs to its finite eigenvalues: the square pencil Y^t (A - x B) Q, whose
-/// second matrix is invertible. Eigenvectors u of it give eigenvectors Q u of A - x B.
+/// The part of a regular pencil A - x B that belongs to its finite eigenvalues: the square pencil Y^t (A - x B) Q,
+/// whose second matrix is invertible. Eigenvectors u of it give eigenvectors Q u of A - x B.
 template <class Scalar>
 struct RegularPart {
   Pencil<Scalar> pencil;
@@ -31,7 +31,8 @@ struct RegularPart {
 /// the rows that remain are the complement Y of L.
 ///
 /// Departs from the paper in that no rank is read off singular values.
-/// Guarantee: none (floating point); det T must not vanish identically and the sum of c_k must be below the pencil's size.
+/// Guarantee: none (floating point); det T must not vanish identically and the sum of c_k must be below the pencil's
+/// size.
 template <class Scalar>
 RegularPart<Scalar> regular_part_staircase(const MatrixPolynomial<Scalar>& t, const std::vector<long>& step_sizes) {
   const long n = t.size();
@@ -40,8 +41,8 @@ RegularPart<Scalar> regular_part_staircase(const MatrixPolynomial<Scalar>& t, co
   long infinite = 0;
   for (const long c : step_sizes) infinite += c;
 
-  // Left deflating subspace L at infinity; l is cut into m blocks of n. With coefficients transposed as in the companion
-  // pencil: (A^t l)_c = l_(c-1) + T_c l_(m-1) and B^t l = (l_0, ..., l_(m-2), -T_m l_(m-1)).
+  // Left deflating subspace L at infinity; l is cut into m blocks of n. With coefficients transposed as in the
+  // companion pencil: (A^t l)_c = l_(c-1) + T_c l_(m-1) and B^t l = (l_0, ..., l_(m-2), -T_m l_(m-1)).
   Matrix<Scalar> left(size, infinite);
   if (infinite > 0) {
     const long c1 = step_sizes.front();
@@ -50,24 +51,42 @@ RegularPart<Scalar> regular_part_staircase(const MatrixPolynomial<Scalar>& t, co
     const Matrix<Scalar> cokernel = leading.matrixU().rightCols(c1);
     left.leftCols(c1).setZero();
     left.block((m - 1) * n, 0, n, c1) = leading.matrixV().rightCols(c1);
+    // Vectors E of L whose images are independent modulo the range of B^t, scaled so that the obstructions R, the parts
+    // of the images outside that range, are orthonormal.
+    Matrix<Scalar> stuck(size, 0);
+    Matrix<Scalar> stuck_obstruction(c1, 0);
     long done = c1;
     for (std::size_t k = 1; k < step_sizes.size(); ++k) {
       const long previous = step_sizes[k - 1];
       const long current = step_sizes[k];
-      const auto newest = left.middleCols(done - previous, previous);
-      const Matrix<Scalar> last = newest.bottomRows(n);
-      Matrix<Scalar> image = t.coefficients[static_cast<std::size_t>(m - 1)] * last;
-      if (m > 1) image += newest.middleRows((m - 2) * n, n);
-      // Combinations of the newest vectors whose image under A^t lies in the range of B^t.
-      const Matrix<Scalar> obstruction = cokernel.transpose() * image;
-      const Eigen::JacobiSVD<Matrix<Scalar>> kernel(obstruction, Eigen::ComputeFullV);
-      const Matrix<Scalar> combination = kernel.matrixV().rightCols(current);
+      Matrix<Scalar> newest = left.middleCols(done - previous, previous);
+      const auto image_of = [&](const Matrix<Scalar>& vectors) {
+        Matrix<Scalar> image = t.coefficients[static_cast<std::size_t>(m - 1)] * vectors.bottomRows(n);
+        if (m > 1) image += vectors.middleRows((m - 2) * n, n);
+        return image;
+      };
+      // Combinations of the newest and the stuck vectors whose image under A^t lies in the range of B^t.
+      Matrix<Scalar> obstruction = cokernel.transpose() * image_of(newest);
+      const Matrix<Scalar> coordinates_in_stuck = stuck_obstruction.transpose() * obstruction;
+      newest -= stuck * coordinates_in_stuck;
+      obstruction -= stuck_obstruction * coordinates_in_stuck;
+      const Eigen::JacobiSVD<Matrix<Scalar>> svd(obstruction, Eigen::ComputeFullV | Eigen::ComputeFullU);
+      const long newly_stuck = previous - current;
+      const Matrix<Scalar> extendable = newest * svd.matrixV().rightCols(current);
+      if (newly_stuck > 0) {
+        const long before = stuck.cols();
+        stuck.conservativeResize(Eigen::NoChange, before + newly_stuck);
+        stuck_obstruction.conservativeResize(Eigen::NoChange, before + newly_stuck);
+        stuck.rightCols(newly_stuck) = newest * svd.matrixV().leftCols(newly_stuck);
+        for (long i = 0; i < newly_stuck; ++i) stuck.col(before + i) /= svd.singularValues()(i);
+        stuck_obstruction.rightCols(newly_stuck) = svd.matrixU().leftCols(newly_stuck);
+      }
       Matrix<Scalar> next(size, current);
       for (long c = 0; c + 1 < m; ++c) {
-        next.middleRows(c * n, n) = t.coefficients[static_cast<std::size_t>(c)] * (last * combination);
-        if (c > 0) next.middleRows(c * n, n) += newest.middleRows((c - 1) * n, n) * combination;
+        next.middleRows(c * n, n) = t.coefficients[static_cast<std::size_t>(c)] * extendable.bottomRows(n);
+        if (c > 0) next.middleRows(c * n, n) += extendable.middleRows((c - 1) * n, n);
       }
-      Matrix<Scalar> coordinates = leading.matrixU().leftCols(rank).transpose() * (image * combination);
+      Matrix<Scalar> coordinates = leading.matrixU().leftCols(rank).transpose() * image_of(extendable);
       for (long i = 0; i < rank; ++i) coordinates.row(i) /= -leading.singularValues()(i);
       next.bottomRows(n) = leading.matrixV().leftCols(rank) * coordinates;
       // Orthogonalised twice against all earlier vectors, then among themselves.

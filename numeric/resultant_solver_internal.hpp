@@ -29,8 +29,7 @@ std::vector<std::complex<Scalar>> polynomial_roots(const Vector<std::complex<Sca
   Scalar largest(0);
   for (long k = 0; k < coefficients.size(); ++k) largest = std::max(largest, modulus<Scalar>(coefficients(k)));
   long degree = coefficients.size() - 1;
-  while (degree > 0 &&
-         !(modulus<Scalar>(coefficients(degree)) > Scalar(64) * machine_epsilon<Scalar>() * largest))
+  while (degree > 0 && !(modulus<Scalar>(coefficients(degree)) > Scalar(64) * machine_epsilon<Scalar>() * largest))
     --degree;
   std::vector<Complex> roots;
   if (degree <= 0) return roots;
@@ -92,12 +91,10 @@ ResultantSolution<Scalar> solve_by_resultant(const ResultantProblem<Scalar>& pro
     // Steps 4 to 8.
     Matrix<Complex> vectors(n, fibre.multiplicity);
     for (long k = 0; k < fibre.multiplicity; ++k)
-      vectors.col(k) =
-          kernel_vector<Scalar>(companion_vectors.col(cluster[static_cast<std::size_t>(k)]), n);
+      vectors.col(k) = kernel_vector<Scalar>(companion_vectors.col(cluster[static_cast<std::size_t>(k)]), n);
     const Scalar tolerance = rank_tolerance(problem, spread);
     Matrix<Complex> basis = independent_vectors<Scalar>(vectors, tolerance);
-    if (basis.cols() >= n)
-      basis = kernel<Scalar>(problem.sylvester.evaluate(fibre.x).transpose(), tolerance);
+    if (basis.cols() >= n) basis = kernel<Scalar>(problem.sylvester.evaluate(fibre.x).transpose(), tolerance);
     fibre.ys = fibre_coordinates<Scalar>(basis);
     if (basis.cols() >= basis.rows()) {
       for (const auto* curve : {&problem.p, &problem.q}) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <complex>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include <Eigen/Core>
@@ -14,9 +14,9 @@ namespace eliminant::numeric {
 /// MPFR numbers of fixed precision on the stack; the decimal digits give at least 128, 256, 512, 1024 bits. Fixed types
 /// have no global default precision and never allocate; templates are instantiated in one translation unit for each.
 template <unsigned DecimalDigits>
-using StackReal =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<DecimalDigits, boost::multiprecision::allocate_stack>,
-                                  boost::multiprecision::et_off>;
+using StackReal = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<DecimalDigits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
 using Real128 = StackReal<38>;
 using Real256 = StackReal<77>;
 using Real512 = StackReal<154>;

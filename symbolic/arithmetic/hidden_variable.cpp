@@ -12,6 +12,13 @@ long HiddenVariablePolynomial::hidden_degree() const {
   return result;
 }
 
+long HiddenVariablePolynomial::total_degree() const {
+  long result = -1;
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
+    if (!coefficients[k].is_zero()) result = std::max(result, static_cast<long>(k) + coefficients[k].degree());
+  return result;
+}
+
 UnivariatePolynomial HiddenVariablePolynomial::leading_coefficient() const {
   return coefficients.empty() ? UnivariatePolynomial() : coefficients.back();
 }

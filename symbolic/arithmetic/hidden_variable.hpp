@@ -18,6 +18,8 @@ struct HiddenVariablePolynomial {
   long degree() const { return static_cast<long>(coefficients.size()) - 1; }
   /// Degree in the hidden variable; -1 for zero.
   long hidden_degree() const;
+  /// Total degree in both variables; -1 for zero.
+  long total_degree() const;
   /// Leading coefficient in the eliminated variable; zero for zero.
   UnivariatePolynomial leading_coefficient() const;
 };

@@ -184,8 +184,7 @@ std::optional<ModularChowForm> chow_form_modulo(const ModularCurve& p, const Mod
         const mp_limb_t sum = nmod_poly_get_coeff_ui(numerator.get(), f.degree() - 1);
         const mp_limb_t scale = field.inverse(nmod_poly_get_coeff_ui(divisor.get(), 0));
         logarithmic = field.multiply(field.multiply(sum, scale), inverse_leading);
-        const mp_limb_t leading_rate =
-            field.multiply(nmod_poly_get_coeff_ui(f1.get(), f.degree()), inverse_leading);
+        const mp_limb_t leading_rate = field.multiply(nmod_poly_get_coeff_ui(f1.get(), f.degree()), inverse_leading);
         logarithmic = field.add(logarithmic, field.multiply(leading_rate, field.reduce(g.degree())));
       }
       derivatives.push_back(field.multiply(value, logarithmic));
@@ -220,8 +219,7 @@ ChowForm chow_form(const Polynomial& p, const Polynomial& q, long shear, bool wi
     const PrimeField field(primes.next());
     const ModularCurve modular_f(f, field);
     if (modular_f.leading_form_at(field.reduce(shear)) == 0) continue;
-    const auto image =
-        chow_form_modulo(modular_f, ModularCurve(g, field), field.reduce(shear), with_derivative, field);
+    const auto image = chow_form_modulo(modular_f, ModularCurve(g, field), field.reduce(shear), with_derivative, field);
     form.add(image->form, field.prime());
     if (with_derivative) derivative.add(*image->shear_derivative, field.prime());
     bits += 61;

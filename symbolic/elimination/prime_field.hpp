@@ -23,7 +23,8 @@ class PrimeField {
   mp_limb_t power(mp_limb_t a, unsigned long exponent) const { return nmod_pow_ui(a, exponent, modulus_); }
   mp_limb_t reduce(const Integer& a) const { return fmpz_fdiv_ui(a.get(), modulus_.n); }
   mp_limb_t reduce(long a) const {
-    return a >= 0 ? static_cast<mp_limb_t>(a) % modulus_.n : nmod_neg(static_cast<mp_limb_t>(-a) % modulus_.n, modulus_);
+    return a >= 0 ? static_cast<mp_limb_t>(a) % modulus_.n
+                  : nmod_neg(static_cast<mp_limb_t>(-a) % modulus_.n, modulus_);
   }
 
  private:

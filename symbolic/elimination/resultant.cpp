@@ -48,7 +48,8 @@ std::optional<ModularPolynomial> resultant_modulo(const HiddenVariablePolynomial
   const std::vector<ModularPolynomial> f_modular = reduce(f, field);
   const std::vector<ModularPolynomial> g_modular = reduce(g, field);
   if (f_modular.back().is_zero()) return std::nullopt;
-  const long degree_bound = f.hidden_degree() * g.degree() + g.hidden_degree() * f.degree();
+  const long degree_bound =
+      std::min(f.hidden_degree() * g.degree() + g.hidden_degree() * f.degree(), f.total_degree() * g.total_degree());
   std::vector<mp_limb_t> points;
   std::vector<mp_limb_t> values;
   ModularPolynomial f_at(field);

@@ -37,8 +37,7 @@ bool leading_forms_coprime(const ModularCurve& p, const ModularCurve& q, const P
 
 unsigned long SolutionProfile::distinct() const { return sum(distinct_by_multiplicity); }
 
-SolutionProfile solution_profile(const Polynomial& p, const Polynomial& q, std::uint64_t seed,
-                                 const Context& context) {
+SolutionProfile solution_profile(const Polynomial& p, const Polynomial& q, std::uint64_t seed, const Context& context) {
   context.checkpoint("counting solutions");
   // Another prime than those of the reconstruction, so that both agreeing means something.
   PrimeSequence primes(mix(seed, 1));

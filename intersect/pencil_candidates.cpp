@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/bridge/round_matrix.hpp>
+#include <eliminant/intersect/pencil_candidates.hpp>
+#include <eliminant/numeric/newton_refinement.hpp>
+#include <eliminant/numeric/resultant_solver.hpp>
+#include <eliminant/symbolic/elimination/change_of_variables.hpp>
+#include <eliminant/symbolic/elimination/exact_ranks.hpp>
+#include <eliminant/symbolic/elimination/resultant.hpp>
+#include <eliminant/symbolic/matrices/bezout_matrix.hpp>
+#include <eliminant/symbolic/matrices/sylvester_matrix.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using symbolic::HiddenVariablePolynomial;
+using symbolic::Polynomial;
+using symbolic::PolynomialMatrix;
+
+/// The number of distinct zeros of the determinant of the matrix, modulo a prime: the number of clusters.
+long distinct_eigenvalues(const HiddenVariablePolynomial& f, const HiddenVariablePolynomial& g, bool bezout,
+                          std::uint64_t seed) {
+  symbolic::PrimeSequence primes(symbolic::mix(seed, 5));
+  for (;;) {
+    const symbolic::PrimeField field(primes.next());
+    std::optional<symbolic::ModularPolynomial> determinant = symbolic::resultant_modulo(f, g, field);
+    if (!determinant || determinant->is_zero()) continue;
+    if (bezout && f.degree() != g.degree()) {
+      // The spurious factor of Proposition 3.
+      const HiddenVariablePolynomial& larger = f.degree() > g.degree() ? f : g;
+      symbolic::ModularPolynomial factor(field);
+      fmpz_poly_get_nmod_poly(factor.get(), larger.leading_coefficient().get());
+      nmod_poly_pow(factor.get(), factor.get(), static_cast<mp_limb_t>(std::labs(f.degree() - g.degree())));
+      nmod_poly_mul(determinant->get(), determinant->get(), factor.get());
+    }
+    long distinct = 0;
+    for (const unsigned long count : symbolic::multiplicity_profile(*determinant)) distinct += static_cast<long>(count);
+    return distinct;
+  }
+}
+
+bridge::ComplexBall exact_ball(const std::complex<double>& z) { return {z.real(), z.imag()}; }
+
+template <class Scalar>
+bridge::ComplexBall exact_ball(const std::complex<Scalar>& z) {
+  bridge::ComplexBall ball;
+  arf_set_mpfr(arb_midref(ball.real()), z.real().backend().data());
+  arf_set_mpfr(arb_midref(ball.imaginary()), z.imag().backend().data());
+  return ball;
+}
+
+template <class Scalar>
+PencilCandidates solve_rounded(const HiddenVariablePolynomial& f, const HiddenVariablePolynomial& g,
+                               const Polynomial& p, const Polynomial& q, bool bezout, const Options& options,
+                               const Context& context) {
+  context.checkpoint("building the resultant matrix");
+  const PolynomialMatrix sylvester = symbolic::sylvester_matrix(f, g);
+  const PolynomialMatrix matrix = bezout ? symbolic::bezout_matrix(f, g) : sylvester;
+  numeric::ResultantProblem<Scalar> problem;
+  problem.matrix = bridge::round_matrix<Scalar>(matrix).value;
+  problem.sylvester = bridge::round_matrix<Scalar>(sylvester).value;
+  problem.p = bridge::round_polynomial<Scalar>(p).value;
+  problem.q = bridge::round_polynomial<Scalar>(q).value;
+  problem.epsilon = options.epsilon;
+  if (matrix.degree() >= 1) {
+    problem.infinite_step_sizes = symbolic::infinite_structure_modulo(matrix, options.seed);
+    problem.distinct_eigenvalues = distinct_eigenvalues(f, g, bezout, options.seed);
+  }
+  context.checkpoint("eigenvalues");
+  const numeric::ResultantSolution<Scalar> solution = numeric::solve_by_resultant(problem);
+
+  PencilCandidates result;
+  result.report.matrix_size = matrix.rows();
+  result.report.matrix_degree = matrix.degree();
+  result.report.pencil_size = solution.pencil_size;
+  result.report.regular_size = solution.regular_size;
+  for (const numeric::Fibre<Scalar>& fibre : solution.fibres) {
+    for (const std::complex<Scalar>& y : fibre.ys) {
+      PencilCandidates::Candidate candidate{{exact_ball(fibre.x), exact_ball(y)}, {}};
+      candidate.refined = candidate.approximate;
+      if constexpr (std::is_same_v<Scalar, double>) {
+        constexpr int newton_steps = 12;
+        const numeric::PlanePoint<double> point =
+            numeric::newton_refinement<double>(problem.p, problem.q, {fibre.x, y}, newton_steps);
+        candidate.refined = {exact_ball(point.x), exact_ball(point.y)};
+      }
+      result.candidates.push_back(std::move(candidate));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+PencilCandidates pencil_candidates(const Polynomial& p, const Polynomial& q, std::size_t hidden, int precision_bits,
+                                   const Options& options, const Context& context) {
+  // The numeric stage hides the first variable.
+  const Polynomial f = hidden == 0 ? p : symbolic::exchange_variables(p);
+  const Polynomial g = hidden == 0 ? q : symbolic::exchange_variables(q);
+  const HiddenVariablePolynomial f_hidden = symbolic::hide_variable(f, 0);
+  const HiddenVariablePolynomial g_hidden = symbolic::hide_variable(g, 0);
+  const bool bezout = options.matrix != ResultantMatrix::sylvester;
+  const auto solve = [&]<class Scalar>(Scalar) {
+    return solve_rounded<Scalar>(f_hidden, g_hidden, f, g, bezout, options, context);
+  };
+  PencilCandidates result;
+  switch (precision_bits) {
+    case 53:
+      result = solve(double());
+      break;
+    case 128:
+      result = solve(numeric::Real128());
+      break;
+    case 256:
+      result = solve(numeric::Real256());
+      break;
+    case 512:
+      result = solve(numeric::Real512());
+      break;
+    case 1024:
+      result = solve(numeric::Real1024());
+      break;
+    default:
+      throw InvalidInput("the precision " + std::to_string(precision_bits) + " is not available",
+                         "53, 128, 256, 512 or 1024 bits");
+  }
+  if (hidden == 1)
+    for (auto& candidate : result.candidates) {
+      std::swap(candidate.approximate.x, candidate.approximate.y);
+      std::swap(candidate.refined.x, candidate.refined.y);
+    }
+  result.report.matrix = bezout ? "bezout" : "sylvester";
+  result.report.precision_bits = precision_bits;
+  result.report.seed = options.seed;
+  return result;
+}
+
+std::size_t smaller_pencil_variable(const Polynomial& p, const Polynomial& q, ResultantMatrix matrix) {
+  const auto pencil_size = [&](std::size_t hidden) {
+    const std::size_t eliminated = 1 - hidden;
+    const bool bezout = matrix != ResultantMatrix::sylvester;
+    const long size =
+        bezout ? std::max(p.degree(eliminated), q.degree(eliminated)) : p.degree(eliminated) + q.degree(eliminated);
+    const long degree = bezout ? p.degree(hidden) + q.degree(hidden) : std::max(p.degree(hidden), q.degree(hidden));
+    // Without the eliminated variable, or without the hidden one, there is no matrix polynomial to solve.
+    return size * degree == 0 ? std::numeric_limits<long>::max() : size * degree;
+  };
+  return pencil_size(0) <= pencil_size(1) ? 0 : 1;
+}
+
+}  // namespace eliminant::intersect

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/pencil_candidates.hpp>
+#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/presentation.hpp>
+#include <eliminant/intersect/solution_set.hpp>
+#include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+#include <eliminant/symbolic/elimination/change_of_variables.hpp>
+#include <eliminant/symbolic/elimination/common_component.hpp>
+#include <eliminant/symbolic/elimination/solution_profile.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using symbolic::Polynomial;
+using symbolic::SolutionProfile;
+
+/// Wall-clock seconds of the stages of one solve.
+class StageClock {
+ public:
+  explicit StageClock(Result& result) : result_(result), start_(Clock::now()), last_(start_) {
+    result_.seconds.emplace_back("total", 0.0);
+  }
+  void finish(const std::string& stage) {
+    const auto now = Clock::now();
+    result_.seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+    result_.seconds.front().second = std::chrono::duration<double>(now - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Result& result_;
+  Clock::time_point start_;
+  Clock::time_point last_;
+};
+
+void check(const PlaneCurvesProblem& problem, const Options& options) {
+  for (const Polynomial* curve : {&problem.p, &problem.q})
+    if (curve->variable_count() != 2)
+      throw InvalidInput(
+          "a plane curve was given by a polynomial in " + std::to_string(curve->variable_count()) + " variables",
+          "two variables");
+  if (options.digits < 1 || options.digits > 100000)
+    throw InvalidInput("digits is " + std::to_string(options.digits), "a number from 1 to 100000");
+  constexpr std::array<int, 6> precisions{0, 53, 128, 256, 512, 1024};
+  if (std::find(precisions.begin(), precisions.end(), options.precision_bits) == precisions.end())
+    throw InvalidInput("the precision is " + std::to_string(options.precision_bits),
+                       "auto, 53, 128, 256, 512 or 1024 bits");
+  if (options.epsilon && !(*options.epsilon > 0 && *options.epsilon < 1))
+    throw InvalidInput("epsilon is not between 0 and 1", "a number between 0 and 1");
+  if (!problem.box) return;
+  for (const auto* side : {&problem.box->x, &problem.box->y})
+    if ((*side)[1] < (*side)[0])
+      throw InvalidInput("a side of the box is [" + (*side)[0].to_string() + ", " + (*side)[1].to_string() + "]",
+                         "a lower end that is not above the upper end");
+}
+
+/// One solve of two coprime curves, none of them constant.
+class Solver {
+ public:
+  Solver(const Polynomial& p, const Polynomial& q, const Options& options, const Context& context, Result& result,
+         StageClock& clock)
+      : p_(p), q_(q), options_(options), context_(context), result_(result), clock_(clock), set_(p, q, context) {}
+
+  /// Fills the counts, the engine report and the set; true when every solution is proven and none is missing.
+  bool run() {
+    result_.engine.seed = options_.seed;
+    profile_ = symbolic::solution_profile(p_, q_, options_.seed, context_);
+    // Simple solutions only, and as many as Bezout's number: nothing else has to be known exactly beforehand.
+    if (options_.engine == Engine::exact || !profile_.all_simple()) represent();
+    if (!profile_.all_simple() && !set_.representation())
+      throw PrecisionExhausted("no shear could be proven to separate the solutions");
+    count_with_multiplicity();
+    clock_.finish("exact count");
+    if (options_.engine != Engine::exact && expected_simple() > 0) solve_by_pencil();
+    const bool pencil_complete = set_.points().size() == expected_simple();
+    add_exact_classes(pencil_complete);
+    set_.decide_reality();
+    clock_.finish("certification");
+    report_method(pencil_complete);
+    return set_.points().size() == expected_distinct();
+  }
+
+  SolutionSet& set() { return set_; }
+
+ private:
+  unsigned long expected_distinct() const {
+    return set_.representation() ? set_.representation()->distinct() : profile_.distinct();
+  }
+
+  unsigned long expected_simple() const {
+    if (!set_.representation()) return profile_.distinct();
+    for (const auto& part : set_.representation()->classes)
+      if (part.multiplicity == 1) return static_cast<unsigned long>(part.factor.degree());
+    return 0;
+  }
+
+  /// Computes the representation with the first shear that can be proven generic.
+  void represent() {
+    if (set_.representation()) return;
+    constexpr int attempts = 64;
+    long shear = profile_.shear;
+    for (int attempt = 0; attempt<attempts; ++attempt, shear = shear> 0 ? -shear : 1 - shear) {
+      if (!symbolic::is_admissible_shear(p_, q_, shear)) continue;
+      auto representation = symbolic::univariate_representation(p_, q_, shear, options_.seed, context_);
+      if (!representation) continue;
+      result_.engine.shear = shear;
+      set_.set_representation(std::move(*representation));
+      return;
+    }
+  }
+
+  /// The number of affine solutions with multiplicity, proven: by Bezout's theorem when nothing lies at infinity, else
+  /// by the degree of the Chow form over Z.
+  void count_with_multiplicity() {
+    unsigned long total = profile_.with_multiplicity;
+    if (set_.representation()) {
+      total = set_.representation()->with_multiplicity();
+    } else if (!profile_.bezout_holds) {
+      const auto form = symbolic::chow_form(p_, q_, profile_.shear, false, options_.seed, context_).form;
+      if (form.degree() != static_cast<long>(total)) {  // the prime of the profile was unlucky
+        represent();
+        if (!set_.representation()) throw PrecisionExhausted("no shear could be proven to separate the solutions");
+        total = set_.representation()->with_multiplicity();
+      }
+    }
+    Counts& counts = result_.counts;
+    counts.bezout_number =
+        static_cast<unsigned long>(p_.total_degree()) * static_cast<unsigned long>(q_.total_degree());
+    counts.with_multiplicity = total;
+    counts.at_infinity = counts.bezout_number - total;
+  }
+
+  void solve_by_pencil() {
+    std::vector<int> ladder{options_.precision_bits};
+    if (options_.precision_bits == 0)
+      ladder = options_.engine == Engine::pencil ? std::vector<int>{53, 128, 256, 512, 1024} : std::vector<int>{53};
+    const bridge::PowerOfTwoScaling scaling = bridge::choose_scaling(p_, q_);
+    const Polynomial p = symbolic::scale_by_powers_of_two(p_, scaling.x_log2, scaling.y_log2).primitive_part();
+    const Polynomial q = symbolic::scale_by_powers_of_two(q_, scaling.x_log2, scaling.y_log2).primitive_part();
+    const std::size_t first = smaller_pencil_variable(p, q, options_.matrix);
+    for (const int precision_bits : ladder) {
+      // The other orientation is a second, independent chance.
+      for (const std::size_t hidden : {first, 1 - first}) {
+        if (set_.points().size() == expected_simple()) return;
+        const std::size_t eliminated = 1 - hidden;
+        if (std::max(p.degree(eliminated), q.degree(eliminated)) < 1) continue;
+        run_pencil(p, q, hidden, precision_bits, scaling);
+        clock_.finish(precision_bits == 53 ? "pencil in double precision"
+                                           : "pencil at " + std::to_string(precision_bits) + " bits");
+      }
+    }
+  }
+
+  void run_pencil(const Polynomial& p, const Polynomial& q, std::size_t hidden, int precision_bits,
+                  const bridge::PowerOfTwoScaling& scaling) {
+    PencilCandidates found = pencil_candidates(p, q, hidden, precision_bits, options_, context_);
+    EngineReport& report = result_.engine;
+    report.matrix = found.report.matrix;
+    report.hidden_variable = result_.variables[hidden];
+    report.matrix_size = found.report.matrix_size;
+    report.matrix_degree = found.report.matrix_degree;
+    report.pencil_size = found.report.pencil_size;
+    report.regular_size = found.report.regular_size;
+    report.precision_bits = found.report.precision_bits;
+    for (auto& candidate : found.candidates) {
+      if (set_.points().size() == expected_simple()) return;
+      acb_mul_2exp_si(candidate.refined.x.get(), candidate.refined.x.get(), scaling.x_log2);
+      acb_mul_2exp_si(candidate.refined.y.get(), candidate.refined.y.get(), scaling.y_log2);
+      const long max_precision_bits = std::max(256, 2 * precision_bits);
+      if (!set_.add_simple(candidate.refined, max_precision_bits)) continue;
+      note_error(candidate.approximate, scaling);
+    }
+  }
+
+  /// Distance of the pencil's answer from the solution just added, relative to max(1, |coordinate|), in the scaled
+  /// coordinates in which the pencil worked.
+  void note_error(const bridge::PlaneBall& approximate, const bridge::PowerOfTwoScaling& scaling) {
+    const bridge::PlaneBall& box = set_.points().back().box;
+    const auto relative_distance = [](const bridge::ComplexBall& found, const bridge::ComplexBall& truth, long log2) {
+      bridge::ComplexBall exact = truth;
+      acb_mul_2exp_si(exact.get(), exact.get(), -log2);
+      bridge::ComplexBall difference;
+      acb_sub(difference.get(), found.get(), exact.get(), 64);
+      const auto magnitude = [](const bridge::ComplexBall& z) {
+        return std::hypot(arf_get_d(arb_midref(z.real()), ARF_RND_NEAR),
+                          arf_get_d(arb_midref(z.imaginary()), ARF_RND_NEAR));
+      };
+      return magnitude(difference) / std::max(1.0, magnitude(exact));
+    };
+    const double error = std::max(relative_distance(approximate.x, box.x, scaling.x_log2),
+                                  relative_distance(approximate.y, box.y, scaling.y_log2));
+    auto& largest = result_.engine.largest_error_before_refinement;
+    largest = std::max(largest.value_or(0), error);
+  }
+
+  /// Multiple solutions come from the representation, and so do the simple ones that the pencil did not all find.
+  void add_exact_classes(bool pencil_complete) {
+    if (!pencil_complete && options_.engine == Engine::pencil) {
+      result_.warnings.push_back("the pencil engine found " + std::to_string(set_.points().size()) + " of " +
+                                 std::to_string(expected_simple()) + " simple solutions");
+    } else if (!pencil_complete) {
+      represent();
+      if (!set_.representation()) throw PrecisionExhausted("no shear could be proven to separate the solutions");
+      if (options_.engine != Engine::exact)
+        result_.warnings.push_back("the pencil engine found " + std::to_string(set_.points().size()) + " of " +
+                                   std::to_string(expected_simple()) +
+                                   " simple solutions; the exact engine computed all of them");
+      set_.clear();
+    }
+    if (!set_.representation()) return;
+    const auto& classes = set_.representation()->classes;
+    const bool simple_too = !pencil_complete && options_.engine != Engine::pencil;
+    for (std::size_t k = 0; k < classes.size(); ++k)
+      if (classes[k].multiplicity > 1 || simple_too) set_.add_class(k, {});
+  }
+
+  void report_method(bool pencil_complete) {
+    const bool from_pencil = std::any_of(set_.points().begin(), set_.points().end(),
+                                         [](const EnclosedPoint& point) { return !point.class_index; });
+    const bool from_representation =
+        std::any_of(set_.points().begin(), set_.points().end(),
+                    [](const EnclosedPoint& point) { return point.class_index.has_value(); });
+    result_.engine.method = from_pencil && from_representation ? "pencil+exact"
+                            : from_pencil                      ? "pencil"
+                            : from_representation              ? "exact"
+                                                               : "none";
+    (void)pencil_complete;
+  }
+
+  const Polynomial& p_;
+  const Polynomial& q_;
+  const Options& options_;
+  const Context& context_;
+  Result& result_;
+  StageClock& clock_;
+  SolutionSet set_;
+  SolutionProfile profile_;
+};
+
+/// Whether a real point lies in the closed box, decided exactly: equality with a border has been found before.
+bool inside(SolutionSet& set, std::size_t index, const Box& box) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto& side = axis == 0 ? box.x : box.y;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const symbolic::Rational& border = side[end];
+      for (long target_log2 = -64;; target_log2 *= 2) {
+        const EnclosedPoint& point = set.points()[index];
+        const auto& exact = axis == 0 ? point.exact_x : point.exact_y;
+        if (exact && *exact == border) break;
+        const bridge::ComplexBall& coordinate = axis == 0 ? point.box.x : point.box.y;
+        if (!arb_contains_fmpq(coordinate.real(), border.get())) {
+          const long precision_bits = 2 * std::labs(target_log2) + 128;
+          bridge::RealBall difference(border, precision_bits);
+          arb_sub(difference.get(), coordinate.real(), difference.get(), precision_bits);
+          if (end == 0 ? arb_is_positive(difference.get()) : arb_is_negative(difference.get())) break;
+          if (end == 0 ? arb_is_negative(difference.get()) : arb_is_positive(difference.get())) return false;
+        }
+        set.enclose(index, target_log2);
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<std::size_t> listed_points(SolutionSet& set, const PlaneCurvesProblem& problem, const Options& options) {
+  const bool real_only = problem.box || options.field == Field::real;
+  if (problem.box)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (const symbolic::Rational& border : axis == 0 ? problem.box->x : problem.box->y)
+        set.find_exact_coordinate(axis, border);
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < set.points().size(); ++i) {
+    if (real_only && set.points()[i].reality != Reality::real) continue;
+    if (problem.box && !inside(set, i, *problem.box)) continue;
+    indices.push_back(i);
+  }
+  return indices;
+}
+
+}  // namespace
+
+Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& options, const Context& context) {
+  symbolic::install_flint_error_handler();
+  check(problem, options);
+  Result result;
+  result.variables = problem.variables;
+  StageClock clock(result);
+  if (problem.box && options.field == Field::complex)
+    result.warnings.emplace_back("a box is a part of the real plane: only the real solutions in it are listed");
+
+  const symbolic::CommonComponent split = symbolic::split_common_component(problem.p, problem.q);
+  clock.finish("common component");
+  const bool infinite = !split.component.is_constant() || split.component.is_zero();
+  if (infinite) result.common_component = split.component;
+  bool proven = true;
+  // A zero or constant cofactor leaves nothing to intersect.
+  if (split.first.is_constant() || split.second.is_constant()) {
+    result.engine.method = "none";
+    result.engine.seed = options.seed;
+  } else {
+    Solver solver(split.first, split.second, options, context, result, clock);
+    proven = solver.run();
+    Counts& counts = result.counts;
+    counts.distinct = static_cast<unsigned long>(solver.set().points().size());
+    for (const EnclosedPoint& point : solver.set().points()) {
+      if (point.reality == Reality::real) ++counts.real;
+      if (point.reality == Reality::undecided) ++counts.undecided;
+    }
+    const std::vector<std::size_t> indices = listed_points(solver.set(), problem, options);
+    result.solutions = present(solver.set(), indices, options.digits);
+    clock.finish("refinement");
+  }
+  result.counts.listed = static_cast<unsigned long>(result.solutions.size());
+  for (Solution& solution : result.solutions) {
+    solution.certified = options.certify;
+    if (!options.certify) solution.reason = "certification was not asked for";
+  }
+  const Status status = options.certify && proven ? Status::certified : Status::numeric;
+  result.status = infinite ? Status::infinite : status;
+  if (infinite) result.rest_status = status;
+  return result;
+}
+
+}  // namespace eliminant::intersect

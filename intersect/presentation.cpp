@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <eliminant/bridge/decimal.hpp>
+#include <eliminant/intersect/presentation.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using bridge::Decimal;
+using symbolic::Rational;
+
+/// The four printed numbers of a solution, in sorting order: Re x, Im x, Re y, Im y.
+struct Printed {
+  std::array<Decimal, 4> parts;
+  long radius_exponent = 0;
+};
+
+/// Bits that hold a number of decimal digits, and a few more for the guard digits of rounding.
+long bits_for_digits(long digits) { return digits * 10 / 3 + 40; }
+
+bool is_exactly_zero(const ComplexBall& ball) { return acb_is_zero(ball.get()) != 0; }
+
+/// Encloses the point until each coordinate that is not exactly zero has `digits` digits and a few more.
+void enclose_for_digits(SolutionSet& set, std::size_t index, long digits) {
+  for (long target_log2 = -bits_for_digits(digits);; target_log2 *= 2) {
+    set.enclose(index, target_log2);
+    const bridge::PlaneBall& box = set.points()[index].box;
+    bool enough = true;
+    for (const ComplexBall* coordinate : {&box.x, &box.y})
+      enough = enough && (is_exactly_zero(*coordinate) ||
+                          (!acb_contains_zero(coordinate->get()) &&
+                           acb_rel_accuracy_bits(coordinate->get()) >= bits_for_digits(digits) - 16));
+    if (enough) return;
+  }
+}
+
+Printed print(const bridge::PlaneBall& box, long digits) {
+  Printed result;
+  long largest = std::numeric_limits<long>::min();
+  const std::array<const ComplexBall*, 2> coordinates{&box.x, &box.y};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (is_exactly_zero(*coordinates[k])) continue;
+    const long magnitude = bridge::decimal_magnitude(*coordinates[k]);
+    largest = std::max(largest, magnitude);
+    result.parts[2 * k] = bridge::round_to_decimal(coordinates[k]->real(), magnitude - digits);
+    result.parts[2 * k + 1] = bridge::round_to_decimal(coordinates[k]->imaginary(), magnitude - digits);
+  }
+  if (largest == std::numeric_limits<long>::min()) largest = 0;
+  result.radius_exponent = largest - digits;
+  return result;
+}
+
+/// True when |a - b| > 10^e + 10^f for some part: the printed boxes have no point in common.
+bool printed_boxes_disjoint(const Printed& a, const Printed& b) {
+  const auto radius = [](long exponent) { return Decimal{symbolic::Integer(1), exponent}.to_rational(); };
+  const Rational reach = radius(a.radius_exponent) + radius(b.radius_exponent);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Rational difference = a.parts[k].to_rational() - b.parts[k].to_rational();
+    if (reach < (difference.sign() < 0 ? -difference : difference)) return true;
+  }
+  return false;
+}
+
+/// A quick sufficient test for the same on the enclosures.
+bool far_apart(const bridge::PlaneBall& a, const bridge::PlaneBall& b, long radius_exponent) {
+  const auto part_far = [&](arb_srcptr u, arb_srcptr v) {
+    const double difference =
+        std::fabs(arf_get_d(arb_midref(u), ARF_RND_NEAR) - arf_get_d(arb_midref(v), ARF_RND_NEAR));
+    return difference > 8 * std::pow(10.0, static_cast<double>(radius_exponent));
+  };
+  return part_far(a.x.real(), b.x.real()) || part_far(a.x.imaginary(), b.x.imaginary()) ||
+         part_far(a.y.real(), b.y.real()) || part_far(a.y.imaginary(), b.y.imaginary());
+}
+
+/// For each point the rank of one part among all: equal for parts whose enclosures meet, so that rounding noise in
+/// equal numbers does not decide the order.
+std::vector<std::size_t> ranks(const std::vector<arb_srcptr>& parts) {
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return arf_cmp(arb_midref(parts[a]), arb_midref(parts[b])) < 0;
+  });
+  std::vector<std::size_t> result(parts.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && arb_overlaps(parts[order[i - 1]], parts[order[i]]) != 0;
+    result[order[i]] = same ? result[order[i - 1]] : i;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& indices, long digits) {
+  const std::size_t count = indices.size();
+  std::vector<long> digits_of(count, digits);
+  std::vector<Printed> printed(count);
+  // A coordinate that is exactly zero never gets a significant digit: find those first, where any is in sight.
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    bool suspicious = false;
+    for (const std::size_t index : indices) {
+      const bridge::PlaneBall& box = set.points()[index].box;
+      const ComplexBall& coordinate = axis == 0 ? box.x : box.y;
+      suspicious = suspicious || (acb_contains_zero(coordinate.get()) && !is_exactly_zero(coordinate));
+    }
+    if (suspicious) set.find_exact_coordinate(axis, Rational(0L));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    enclose_for_digits(set, indices[i], digits);
+    printed[i] = print(set.points()[indices[i]].box, digits);
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<bool> crowded(count, false);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const long reach = std::max(printed[i].radius_exponent, printed[j].radius_exponent);
+        if (far_apart(set.points()[indices[i]].box, set.points()[indices[j]].box, reach)) continue;
+        if (!printed_boxes_disjoint(printed[i], printed[j])) crowded[i] = crowded[j] = true;
+      }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!crowded[i]) continue;
+      changed = true;
+      digits_of[i] = digits_of[i] * 2;
+      enclose_for_digits(set, indices[i], digits_of[i]);
+      printed[i] = print(set.points()[indices[i]].box, digits_of[i]);
+    }
+  }
+
+  std::array<std::vector<std::size_t>, 4> rank;
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<arb_srcptr> parts;
+    for (const std::size_t index : indices) {
+      const bridge::PlaneBall& box = set.points()[index].box;
+      const ComplexBall& coordinate = k < 2 ? box.x : box.y;
+      parts.push_back(k % 2 == 0 ? coordinate.real() : coordinate.imaginary());
+    }
+    rank[k] = ranks(parts);
+  }
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (rank[k][a] != rank[k][b]) return rank[k][a] < rank[k][b];
+    return false;
+  });
+
+  std::vector<Solution> solutions;
+  for (const std::size_t i : order) {
+    const EnclosedPoint& point = set.points()[indices[i]];
+    Solution solution;
+    solution.x = {point.box.x, printed[i].parts[0].to_string(), printed[i].parts[1].to_string()};
+    solution.y = {point.box.y, printed[i].parts[2].to_string(), printed[i].parts[3].to_string()};
+    solution.radius_exponent = printed[i].radius_exponent;
+    solution.reality = point.reality;
+    solution.multiplicity = point.multiplicity;
+    solutions.push_back(std::move(solution));
+  }
+  return solutions;
+}
+
+}  // namespace eliminant::intersect

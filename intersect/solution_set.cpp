@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/bridge/representation_points.hpp>
+#include <eliminant/bridge/root_enclosure.hpp>
+#include <eliminant/intersect/solution_set.hpp>
+#include <eliminant/symbolic/elimination/change_of_variables.hpp>
+#include <eliminant/symbolic/elimination/squarefree.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using bridge::PlaneBall;
+
+/// Beyond this no input within the size limits is still unresolved; it only bounds what a mistake could cost.
+constexpr long precision_ceiling = 1L << 24;
+
+long part_radius_log2(arb_srcptr part) {
+  if (mag_is_special(arb_radref(part)) != 0) return mag_is_inf(arb_radref(part)) ? precision_ceiling : -(1L << 40);
+  return static_cast<long>(fmpz_get_si(MAG_EXPREF(arb_radref(part))));
+}
+
+/// g with g(y) = 0 exactly when (value, y) is a solution (axis 0), or (y, value) (axis 1); 1 when there is none.
+symbolic::UnivariatePolynomial solutions_on_line(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
+                                                 std::size_t axis, const symbolic::Rational& value) {
+  const auto restrict_to_line = [&](const symbolic::Polynomial& curve) {
+    std::vector<symbolic::Polynomial> images(2, symbolic::Polynomial::constant(1, value));
+    images[1 - axis] = symbolic::Polynomial::variable(1, 0);
+    symbolic::UnivariatePolynomial result;
+    const symbolic::Polynomial restricted = curve.compose(images).primitive_part();
+    for (const auto& term : restricted.terms())
+      fmpz_poly_set_coeff_fmpz(result.get(), static_cast<slong>(term.exponents[0]),
+                               fmpq_numref(term.coefficient.get()));
+    return result;
+  };
+  return symbolic::gcd(restrict_to_line(p), restrict_to_line(q));
+}
+
+}  // namespace
+
+long radius_log2(const PlaneBall& box) {
+  return std::max({part_radius_log2(box.x.real()), part_radius_log2(box.x.imaginary()), part_radius_log2(box.y.real()),
+                   part_radius_log2(box.y.imaginary())});
+}
+
+bool disjoint(const PlaneBall& a, const PlaneBall& b) {
+  return !acb_overlaps(a.x.get(), b.x.get()) || !acb_overlaps(a.y.get(), b.y.get());
+}
+
+SolutionSet::SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomial& q, const Context& context)
+    : p_(p),
+      q_(q),
+      scaling_(bridge::choose_scaling(p, q)),
+      scaled_p_(symbolic::scale_by_powers_of_two(p, scaling_.x_log2, scaling_.y_log2)),
+      scaled_q_(symbolic::scale_by_powers_of_two(q, scaling_.x_log2, scaling_.y_log2)),
+      context_(context) {}
+
+PlaneBall SolutionSet::to_scaled(const PlaneBall& point) const {
+  PlaneBall result = point;
+  acb_mul_2exp_si(result.x.get(), result.x.get(), -scaling_.x_log2);
+  acb_mul_2exp_si(result.y.get(), result.y.get(), -scaling_.y_log2);
+  return result;
+}
+
+PlaneBall SolutionSet::from_scaled(const PlaneBall& point) const {
+  PlaneBall result = point;
+  acb_mul_2exp_si(result.x.get(), result.x.get(), scaling_.x_log2);
+  acb_mul_2exp_si(result.y.get(), result.y.get(), scaling_.y_log2);
+  return result;
+}
+
+void SolutionSet::store(EnclosedPoint& point, PlaneBall box, long target_log2) const {
+  if (point.reality == Reality::real) {
+    arb_zero(box.x.imaginary());
+    arb_zero(box.y.imaginary());
+  }
+  const auto set_exact = [&](const std::optional<symbolic::Rational>& value, ComplexBall& coordinate) {
+    if (!value) return;
+    const auto size_bits = static_cast<long>(value->numerator().bit_length());
+    acb_set_fmpq(coordinate.get(), value->get(), size_bits + std::max(0L, -target_log2) + 64);
+  };
+  set_exact(point.exact_x, box.x);
+  set_exact(point.exact_y, box.y);
+  point.box = std::move(box);
+}
+
+bool SolutionSet::add_simple(const PlaneBall& start, long max_precision_bits) {
+  context_.checkpoint("certifying");
+  constexpr long first_target_log2 = -60;
+  std::optional<PlaneBall> box =
+      bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(start), first_target_log2, max_precision_bits);
+  if (!box) return false;
+  EnclosedPoint candidate;
+  candidate.box = from_scaled(*box);
+  // Either the same zero, which one box around both proves, or another one, which tighter boxes prove.
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    long precision_bits = 128;
+    while (!disjoint(points_[i].box, candidate.box)) {
+      if (bridge::enclose_same_zero(scaled_p_, scaled_q_, to_scaled(points_[i].box), to_scaled(candidate.box),
+                                    precision_bits))
+        return false;
+      precision_bits *= 2;
+      if (precision_bits > precision_ceiling) throw PrecisionExhausted("two solutions could not be told apart");
+      points_.push_back(candidate);
+      enclose(points_.size() - 1, -precision_bits);
+      candidate = points_.back();
+      points_.pop_back();
+      enclose(i, -precision_bits);
+    }
+  }
+  points_.push_back(std::move(candidate));
+  return true;
+}
+
+void SolutionSet::set_representation(symbolic::UnivariateRepresentation representation) {
+  class_roots_.assign(representation.classes.size(), {});
+  class_bits_.assign(representation.classes.size(), 0);
+  representation_ = std::move(representation);
+}
+
+void SolutionSet::refine_class(std::size_t class_index, long relative_bits) {
+  if (class_bits_[class_index] >= relative_bits) return;
+  std::vector<ComplexBall>& roots = class_roots_[class_index];
+  std::vector<ComplexBall> refined =
+      bridge::enclose_roots(representation_->classes[class_index].factor, roots, relative_bits, context_);
+  if (class_bits_[class_index] > 0) {
+    // Each root stays at its index: the old balls isolate, so exactly one new ball meets each of them.
+    for (ComplexBall& root : roots) {
+      const auto match = std::find_if(refined.begin(), refined.end(), [&](const ComplexBall& candidate) {
+        return acb_overlaps(candidate.get(), root.get()) != 0;
+      });
+      root = *match;
+    }
+  } else {
+    roots = std::move(refined);
+  }
+  class_bits_[class_index] = relative_bits;
+}
+
+void SolutionSet::add_class(std::size_t class_index, const std::vector<ComplexBall>& approximations) {
+  const symbolic::SquarefreeFactor& part = representation_->classes[class_index];
+  class_roots_[class_index] = approximations;
+  class_bits_[class_index] = 0;
+  constexpr long first_bits = 64;
+  refine_class(class_index, first_bits);
+  for (std::size_t root = 0; root < class_roots_[class_index].size(); ++root) {
+    EnclosedPoint point;
+    point.multiplicity = part.multiplicity;
+    point.class_index = class_index;
+    point.root_index = root;
+    // The shear is rational and separates conjugate points: a solution is real exactly when its t is.
+    point.reality = arb_is_zero(class_roots_[class_index][root].imaginary()) ? Reality::real : Reality::non_real;
+    acb_indeterminate(point.box.x.get());
+    acb_indeterminate(point.box.y.get());
+    points_.push_back(std::move(point));
+    enclose(points_.size() - 1, -first_bits);
+  }
+}
+
+void SolutionSet::decide_reality() {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    long precision_bits = 128;
+    while (points_[i].reality == Reality::undecided) {
+      context_.checkpoint("deciding reality");
+      EnclosedPoint& point = points_[i];
+      if (!arb_contains_zero(point.box.x.imaginary()) || !arb_contains_zero(point.box.y.imaginary())) {
+        point.reality = Reality::non_real;
+      } else if (bridge::zero_is_real(scaled_p_, scaled_q_, to_scaled(point.box), precision_bits)) {
+        point.reality = Reality::real;
+        store(point, PlaneBall(point.box), 0);
+      } else {
+        precision_bits *= 2;
+        if (precision_bits > precision_ceiling)
+          throw PrecisionExhausted("a solution could not be proven real or non-real");
+        enclose(i, -precision_bits);
+      }
+    }
+  }
+}
+
+void SolutionSet::enclose(std::size_t index, long target_log2) {
+  EnclosedPoint& point = points_[index];
+  if (radius_log2(point.box) <= target_log2) return;
+  context_.checkpoint("refining");
+  if (!point.class_index) {
+    const long scaled_target = target_log2 - std::max(scaling_.x_log2, scaling_.y_log2) - 1;
+    const std::optional<PlaneBall> box =
+        bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(point.box), scaled_target, precision_ceiling);
+    if (!box) throw PrecisionExhausted("a simple solution could not be refined");
+    store(point, from_scaled(*box), target_log2);
+    return;
+  }
+  for (long bits = std::max(64L, -target_log2 + 32); bits <= precision_ceiling; bits *= 2) {
+    refine_class(*point.class_index, bits);
+    const std::optional<PlaneBall> box = bridge::point_above(
+        *representation_, point.multiplicity, class_roots_[*point.class_index][point.root_index], bits + 64);
+    if (!box) continue;
+    store(point, *box, target_log2);
+    if (radius_log2(point.box) <= target_log2) return;
+  }
+  throw PrecisionExhausted("a multiple solution could not be refined");
+}
+
+void SolutionSet::find_exact_coordinate(std::size_t axis, const symbolic::Rational& value) {
+  const symbolic::UnivariatePolynomial line = solutions_on_line(p_, q_, axis, value);
+  if (line.degree() < 1) return;
+  const auto coordinate = [&](EnclosedPoint& point, std::size_t which) -> ComplexBall& {
+    return which == 0 ? point.box.x : point.box.y;
+  };
+  for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(line)) {
+    for (long bits = 64;; bits *= 2) {
+      if (bits > precision_ceiling) throw PrecisionExhausted("the solutions on a line could not be told apart");
+      const std::vector<ComplexBall> others = bridge::enclose_roots(part.factor, {}, bits, context_);
+      // Every (value, root) is a solution; it is the one point whose box it may lie in.
+      std::vector<std::size_t> matches;
+      bool ambiguous = false;
+      for (const ComplexBall& other : others) {
+        std::vector<std::size_t> near;
+        for (std::size_t i = 0; i < points_.size(); ++i)
+          if (acb_contains_fmpq(coordinate(points_[i], axis).get(), value.get()) &&
+              acb_overlaps(coordinate(points_[i], 1 - axis).get(), other.get()))
+            near.push_back(i);
+        if (near.size() > 1) {
+          ambiguous = true;
+          for (const std::size_t i : near) enclose(i, -2 * bits);
+        } else if (near.size() == 1) {
+          matches.push_back(near.front());
+        }
+      }
+      if (ambiguous) continue;
+      for (const std::size_t i : matches) {
+        EnclosedPoint& point = points_[i];
+        (axis == 0 ? point.exact_x : point.exact_y) = value;
+        store(point, PlaneBall(point.box), radius_log2(point.box));
+      }
+      break;
+    }
+  }
+}
+
+}  // namespace eliminant::intersect

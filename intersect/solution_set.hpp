@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/bridge/krawczyk_test.hpp>
+#include <eliminant/bridge/power_of_two_scaling.hpp>
+#include <eliminant/intersect/result.hpp>
+#include <eliminant/symbolic/elimination/univariate_representation.hpp>
+
+namespace eliminant::intersect {
+
+/// One solution, enclosed: `box` contains it and no other one.
+struct EnclosedPoint {
+  bridge::PlaneBall box;
+  unsigned long multiplicity = 1;
+  Reality reality = Reality::undecided;
+  /// Where it came from: a class of the representation and a root of its factor, or the Krawczyk test (both unset).
+  std::optional<std::size_t> class_index;
+  std::size_t root_index = 0;
+  /// Coordinates that are known to be rational numbers.
+  std::optional<symbolic::Rational> exact_x;
+  std::optional<symbolic::Rational> exact_y;
+};
+
+/// The proven solutions of two coprime curves, each of which can be enclosed as tightly as wanted.
+class SolutionSet {
+ public:
+  /// p and q are primitive over Z and coprime. `context` must outlive the set.
+  SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomial& q, const Context& context);
+
+  const std::vector<EnclosedPoint>& points() const { return points_; }
+
+  /// Tries to enclose a simple solution near `start` (given in the coordinates of p and q) by the Krawczyk test. False
+  /// when nothing was proven or the solution is already there. At most up to `max_precision_bits`.
+  bool add_simple(const bridge::PlaneBall& start, long max_precision_bits);
+
+  /// Forgets all points.
+  void clear() { points_.clear(); }
+
+  void set_representation(symbolic::UnivariateRepresentation representation);
+  const std::optional<symbolic::UnivariateRepresentation>& representation() const { return representation_; }
+
+  /// Adds all points of one class of the representation; `approximations` may be empty (see enclose_roots).
+  void add_class(std::size_t class_index, const std::vector<bridge::ComplexBall>& approximations);
+
+  /// Decides for every point whether it is real. p and q are real, so this always ends.
+  void decide_reality();
+
+  /// Makes the radius of every part of both coordinates of one point at most 2^radius_log2.
+  void enclose(std::size_t index, long radius_log2);
+
+  /// Finds out which points have first (axis 0) or second (axis 1) coordinate exactly `value`, and makes it exact
+  /// there. Afterwards the others can be told apart from `value` by enclosing them more tightly.
+  void find_exact_coordinate(std::size_t axis, const symbolic::Rational& value);
+
+ private:
+  bridge::PlaneBall to_scaled(const bridge::PlaneBall& point) const;
+  bridge::PlaneBall from_scaled(const bridge::PlaneBall& point) const;
+  void refine_class(std::size_t class_index, long relative_bits);
+  void store(EnclosedPoint& point, bridge::PlaneBall box, long target_log2) const;
+
+  symbolic::Polynomial p_;
+  symbolic::Polynomial q_;
+  bridge::PowerOfTwoScaling scaling_;
+  bridge::BallCurve scaled_p_;
+  bridge::BallCurve scaled_q_;
+  const Context& context_;
+  std::vector<EnclosedPoint> points_;
+  std::optional<symbolic::UnivariateRepresentation> representation_;
+  std::vector<std::vector<bridge::ComplexBall>> class_roots_;
+  std::vector<long> class_bits_;
+};
+
+/// An upper bound of log2 of the largest radius of a part of the coordinates.
+long radius_log2(const bridge::PlaneBall& box);
+
+/// True when the two boxes cannot contain a common point.
+bool disjoint(const bridge::PlaneBall& a, const bridge::PlaneBall& b);
+
+}  // namespace eliminant::intersect
