@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#ifdef ELIMINANT_PROGRAM
+
+#include <cli/bad_input_table.hpp>
+#include <cli/program.hpp>
+#include <eliminant/io/json_text.hpp>
+
+using eliminant::io::JsonDocument;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("program: every bad input of the table gives its exit status, message and error result") {
+  const TemporaryFolder folder;
+  for (const bad_input::Row& row : bad_input::rows()) {
+    CAPTURE(row.what);
+    const std::string path = folder.write("problem." + row.extension, row.text);
+    const Outcome outcome = run_program(folder, "solve --format json '" + path + "'");
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == (row.kind == "limit" ? 3 : 2));
+    CHECK(contains(outcome.err, path + ":" + std::to_string(row.line) + ":" + std::to_string(row.column) + ": "));
+    CHECK(contains(outcome.err, row.message));
+    const JsonDocument result(outcome.out);
+    CHECK(result.root().find("status")->text == "error");
+    CHECK(result.root().find("error")->find("kind")->text == row.kind);
+    CHECK(result.root().find("error")->find("column")->text == std::to_string(row.column));
+  }
+}
+
+TEST_CASE("program: what is no text file is bad input") {
+  const TemporaryFolder folder;
+  const auto check = [&](const std::string& path, const char* message) {
+    const Outcome outcome = run_program(folder, "solve '" + path + "'");
+    CAPTURE(path);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, message));
+  };
+  check(folder.file("."), "is a directory");
+  check(folder.file("missing.json"), "cannot be opened");
+  check(folder.write("empty.json", ""), "is empty");
+  check(folder.write("blank.json", " \n\t\n"), "is empty");
+  check(folder.write("binary.json", std::string("\x7F"
+                                                "ELF\0\0\1",
+                                                7)),
+        "is binary");
+  check(folder.write("latin.json", "{\"problem\": \"\xE9\"}"), "no valid UTF-8");
+  check(folder.write("utf16.json", "\xFF\xFE{ }"), "UTF-16");
+  check("/dev/zero", "is binary");
+}
+
+TEST_CASE("program: a wrong command line is bad usage") {
+  const TemporaryFolder folder;
+  for (const char* arguments : {"",
+                                "solve",
+                                "sovle file",
+                                "curves x",
+                                "curves x y x",
+                                "curves x y --fromat json",
+                                "curves x y --digits",
+                                "curves x y --digits 0",
+                                "curves x y --digits many",
+                                "curves x y --real --complex",
+                                "curves x --y",
+                                "batch f",
+                                "verify",
+                                "curves x y --box '[[0,1]]'",
+                                "curves x y --box '[[0,1],[1'",
+                                "curves x y --variables x",
+                                "curves x y --variables x,x",
+                                "curves 'x+' y",
+                                "curves x y --precision 54",
+                                "curves x y --engine box",
+                                "curves x y --time-limit 0",
+                                "curves x y --threads 0",
+                                "curves x y --seed -1",
+                                "curves x y --epsilon nan",
+                                "curves x y --memory-limit 1.5",
+                                "solve a.json b.json"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = run_program(folder, arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("eliminant: "));
+  }
+  const Outcome json = run_program(folder, "curves x --format json");
+  CHECK(json.status == 2);
+  CHECK(JsonDocument(json.out).root().find("error")->find("kind")->text == "usage");
+}
+
+TEST_CASE("program: an output that cannot be written is status 1") {
+  const TemporaryFolder folder;
+  CHECK(run_program(folder, "curves x y -o '" + folder.file("missing/result") + "'").status == 1);
+  CHECK(run_program(folder, "curves x y -o '" + folder.file(".") + "'").status == 1);
+  if (std::filesystem::exists("/dev/full")) {
+    CHECK(run_program(folder, "curves x y -o /dev/full").status == 1);
+    CHECK(run_program(folder, "curves x y >/dev/full").status == 1);
+    CHECK(run_program(folder, "--help >/dev/full").status == 1);
+  }
+}
+
+TEST_CASE("program: a polynomial may begin with a minus sign") {
+  const TemporaryFolder folder;
+  for (const char* arguments : {"curves -x+1 y --echo", "curves --echo -x+1 y", "curves --echo -- -x+1 y",
+                                "--echo curves -x+1 y", "curves -x+1 --digits 20 -y --echo"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = run_program(folder, arguments);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "\"p\": \"-x + 1\""));
+  }
+}
+
+TEST_CASE("program: the echo of a problem is a problem with the same echo") {
+  const TemporaryFolder folder;
+  const Outcome first = run_program(
+      folder, "curves '2e-3 ab - 1/3' '(a-b)^2' --variables b,a --box '[[-1, \"1/2\"], [0, 1e2]]' --digits 30 --echo");
+  CHECK(first.status == 0);
+  CHECK(contains(first.out, "\"digits\": \"30\""));
+  const Outcome second = run_program(folder, "solve --echo '" + folder.write("echo.json", first.out) + "'");
+  CHECK(second.out == first.out);
+  const Outcome third = run_program(folder, "solve --echo --digits 31 - <'" + folder.file("echo.json") + "'");
+  CHECK(contains(third.out, "\"digits\": \"31\""));
+}
+
+TEST_CASE("program: help and version are answers") {
+  const TemporaryFolder folder;
+  CHECK(contains(run_program(folder, "--version").out, "eliminant "));
+  const Outcome help = run_program(folder, "curves --help");
+  CHECK(help.status == 0);
+  for (const char* option :
+       {"--format",       "--digits",  "--engine",     "--matrix",   "--precision", "--epsilon", "--real",
+        "--complex",      "--certify", "--no-certify", "--box",      "--variables", "--threads", "--time-limit",
+        "--memory-limit", "--output",  "--echo",       "--progress", "--quiet",     "--seed"})
+    CHECK(contains(help.out, option));
+}
+
+TEST_CASE("program: an answer goes to standard output alone, or to the file") {
+  const TemporaryFolder folder;
+  const Outcome json = run_program(folder, "curves 'x^2+y^2-5' 'x*y-2' --format json --quiet");
+  CHECK(json.status == 0);
+  CHECK(json.err.empty());
+  CHECK(JsonDocument(json.out).root().find("format")->text == "1");
+  const Outcome filed =
+      run_program(folder, "curves 'x^2+y^2-5' 'x*y-2' --format csv --quiet -o '" + folder.file("r") + "'");
+  CHECK(filed.status == 0);
+  CHECK(filed.out.empty());
+  CHECK(folder.read("r").starts_with("x_re,x_im,y_re,y_im,radius,real,multiplicity,certified\n"));
+}
+
+#endif
