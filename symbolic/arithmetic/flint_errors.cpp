@@ -14,8 +14,9 @@ namespace eliminant::symbolic {
 
 namespace {
 
-// FLINT has already written its own message to standard error.
-[[noreturn]] void throw_instead_of_abort() {
+// FLINT has already written its own message to standard error. The attribute is spelt as in FLINT 2.9, where it is a
+// part of the function type that flint_set_abort takes; clang does not convert [[noreturn]] to it.
+__attribute__((noreturn)) void throw_instead_of_abort() {
   throw Error("internal error: the exact arithmetic (FLINT) met a case that should have been excluded before");
 }
 
