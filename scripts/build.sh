@@ -23,4 +23,4 @@ fi
 targets=()
 if [ $# -gt 0 ]; then targets=(--target "$@"); fi
 cmake --build "$folder" --parallel "$jobs" "${targets[@]}" |
-  sed -u '/no work to do/d; /Re-checking globbed directories/d; /Change Dir:/d' >&2
+  sed -u '/no work to do/d; /Re-checking globbed directories/d; /Change Dir:/d; /GLOB mismatch/d' >&2

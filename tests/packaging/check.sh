@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # check.sh find_package|add_subdirectory CMAKE SOURCE BUILD COMPILER BUILD_TYPE FLAGS
-# Builds and runs tests/packaging/consumer against eliminant, installed from the build tree BUILD into a prefix of its
-# own or taken in as a subdirectory.
+# Builds and runs tests/packaging/consumer and the C++ program of README.md against eliminant, installed from the build
+# tree BUILD into a prefix of its own or taken in as a subdirectory.
 set -euo pipefail
 
 way=$1 cmake=$2 source=$3 build=$4 compiler=$5 build_type=$6 flags=$7
 work=$build/packaging/$way
-consumer=("$cmake" -S "$source/tests/packaging/consumer" -B "$work/build" -G Ninja "-DCMAKE_CXX_COMPILER=$compiler")
+consumer=("$cmake" -S "$source/tests/packaging/consumer" -B "$work/build" -G Ninja "-DCMAKE_CXX_COMPILER=$compiler"
+  "-DREADME_PROGRAM=$work/readme.cpp")
 
 case $way in
   find_package)
@@ -18,17 +19,24 @@ case $way in
       echo "the files above name the source or build tree" >&2
       exit 1
     fi
-    "${consumer[@]}" "-DCMAKE_PREFIX_PATH=$work/prefix" "-DCMAKE_BUILD_TYPE=$build_type" "-DCMAKE_CXX_FLAGS=$flags"
+    consumer+=("-DCMAKE_PREFIX_PATH=$work/prefix" "-DCMAKE_BUILD_TYPE=$build_type" "-DCMAKE_CXX_FLAGS=$flags")
     ;;
   add_subdirectory)
     # Not optimised, to compile the whole library a second time in less time.
-    "${consumer[@]}" "-DELIMINANT_SOURCE=$source" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0" \
-      "-DCMAKE_CXX_FLAGS=$flags"
+    consumer+=("-DELIMINANT_SOURCE=$source" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0"
+      "-DCMAKE_CXX_FLAGS=$flags")
     ;;
   *)
     echo "unknown way: $way" >&2
     exit 1
     ;;
 esac
-"$cmake" --build "$work/build" --parallel 2 --target consumer
+mkdir -p "$work"
+perl -0ne 'print $1 if /```cpp\n(.*?)```/s' "$source/README.md" >"$work/readme.cpp.new"
+if ! cmp -s "$work/readme.cpp.new" "$work/readme.cpp"; then cp "$work/readme.cpp.new" "$work/readme.cpp"; fi
+perl -0ne 'print $1 if /```cpp\n.*?```\n\n```text\n(.*?)```/s' "$source/README.md" >"$work/readme.expected"
+
+"${consumer[@]}"
+"$cmake" --build "$work/build" --parallel 2 --target consumer readme
 "$work/build/consumer"
+"$work/build/readme" | diff "$work/readme.expected" -
