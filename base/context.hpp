@@ -21,8 +21,8 @@ class Context {
 
   /// Wall-clock limit counted from this call.
   void limit_seconds(double seconds) {
-    deadline_ = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                                       std::chrono::duration<double>(seconds));
+    deadline_ = std::chrono::steady_clock::now() +
+                std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
   }
   void on_progress(std::function<void(std::string_view)> callback) { progress_ = std::move(callback); }
   void cancel() { cancelled_ = true; }

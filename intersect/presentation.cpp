@@ -109,7 +109,7 @@ std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& 
       const ComplexBall& coordinate = axis == 0 ? box.x : box.y;
       suspicious = suspicious || (acb_contains_zero(coordinate.get()) && !is_exactly_zero(coordinate));
     }
-    if (suspicious) set.find_exact_coordinate(axis, Rational(0L));
+    if (suspicious) set.find_exact_coordinate(axis, Rational(0));
   }
   for (std::size_t i = 0; i < count; ++i) {
     enclose_for_digits(set, indices[i], digits);

@@ -24,18 +24,35 @@ auto named(const std::string& name, Read read) {
   }
 }
 
+std::vector<symbolic::NameOccurrence> names_in(const PolynomialText& polynomial) {
+  return named(polynomial.name, [&] { return symbolic::names_in(polynomial.text, polynomial.locate); });
+}
+
+// The names of one letter that occur, and x and y: an undeclared `xy` is read as their product.
+std::string single_letters(const PolynomialText& p, const PolynomialText& q) {
+  std::string letters = "xy";
+  for (const PolynomialText* polynomial : {&p, &q})
+    for (const auto& occurrence : names_in(*polynomial))
+      if (occurrence.name.size() == 1) letters += occurrence.name;
+  return letters;
+}
+
 std::vector<std::string> inferred_variables(const PolynomialText& p, const PolynomialText& q) {
+  const std::string letters = single_letters(p, q);
   std::vector<std::string> names;
   for (const PolynomialText* polynomial : {&p, &q}) {
-    for (const auto& [name, offset] :
-         named(polynomial->name, [&] { return symbolic::names_in(polynomial->text, polynomial->locate); })) {
-      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-      names.push_back(name);
-      if (names.size() <= 2) continue;
-      throw InvalidInput(
-          polynomial->name + ": a third variable '" + name + "' occurs beside " + names[0] + " and " + names[1],
-          "two variables; declare them (\"variables\": [\"x\", \"y\"] or --variables x,y) to read xy as x*y",
-          polynomial->locate ? polynomial->locate(offset) : place_in(polynomial->text, offset));
+    for (const auto& [whole_name, offset] : names_in(*polynomial)) {
+      const bool product = whole_name.find_first_not_of(letters) == std::string::npos;
+      for (std::size_t k = 0; k < (product ? whole_name.size() : 1); ++k) {
+        const std::string name = product ? whole_name.substr(k, 1) : whole_name;
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        names.push_back(name);
+        if (names.size() <= 2) continue;
+        throw InvalidInput(
+            polynomial->name + ": a third variable '" + name + "' occurs beside " + names[0] + " and " + names[1],
+            "two variables; declare them (\"variables\": [\"x\", \"y\"] or --variables x,y) to read xy as x*y",
+            polynomial->locate ? polynomial->locate(offset) : place_in(polynomial->text, offset));
+      }
     }
   }
   std::sort(names.begin(), names.end());

@@ -33,8 +33,7 @@ HiddenVariablePolynomial hide_variable(const Polynomial& p, std::size_t hidden) 
   result.coefficients.resize(static_cast<std::size_t>(p.degree(eliminated)) + 1);
   const std::vector<Polynomial::Term> terms = p.terms();
   Integer denominator(1);
-  for (const auto& term : terms)
-    fmpz_lcm(denominator.get(), denominator.get(), fmpq_denref(term.coefficient.get()));
+  for (const auto& term : terms) fmpz_lcm(denominator.get(), denominator.get(), fmpq_denref(term.coefficient.get()));
   for (const auto& term : terms) {
     const Rational scaled = Rational(denominator) * term.coefficient;
     fmpz_poly_set_coeff_fmpz(result.coefficients[term.exponents[eliminated]].get(),

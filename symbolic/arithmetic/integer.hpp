@@ -14,6 +14,7 @@ class Integer {
  public:
   Integer() { fmpz_init(value_); }
   Integer(long value) { fmpz_init_set_si(value_, value); }  // NOLINT(google-explicit-constructor): a number is a number
+  Integer(int value) : Integer(static_cast<long>(value)) {}  // NOLINT: the literal 0 is also a null pointer
   explicit Integer(const fmpz_t value) { fmpz_init_set(value_, value); }
   /// Reads an optional sign and decimal digits (or digits of `base`). Throws InvalidInput on anything else.
   static Integer from_string(std::string_view digits, int base = 10);

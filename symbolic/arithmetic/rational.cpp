@@ -5,7 +5,8 @@
 namespace eliminant::symbolic {
 
 Rational::Rational(const Integer& numerator, const Integer& denominator) : Rational() {
-  if (denominator.is_zero()) throw InvalidInput("the denominator of a rational number is zero", "a non-zero denominator");
+  if (denominator.is_zero())
+    throw InvalidInput("the denominator of a rational number is zero", "a non-zero denominator");
   fmpq_set_fmpz_frac(value_, numerator.get(), denominator.get());
 }
 

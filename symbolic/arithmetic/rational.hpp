@@ -12,6 +12,7 @@ class Rational {
  public:
   Rational() { fmpq_init(value_); }
   Rational(long value) : Rational() { fmpq_set_si(value_, value, 1); }  // NOLINT(google-explicit-constructor)
+  Rational(int value) : Rational(static_cast<long>(value)) {}           // NOLINT: the literal 0 is also a null pointer
   Rational(const Integer& value) : Rational() {                         // NOLINT(google-explicit-constructor)
     fmpz_set(fmpq_numref(value_), value.get());
   }

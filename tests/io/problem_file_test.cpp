@@ -50,7 +50,11 @@ TEST_CASE("variables: the names that occur, sorted, completed by x, then y") {
   CHECK(variables_of("1", "0") == Names{"x", "y"});
   CHECK(variables_of("y*z", "z") == Names{"y", "z"});
   CHECK_THROWS_AS(variables_of("x*y", "z"), InvalidInput);
-  CHECK_THROWS_AS(variables_of("x + xy", "y"), InvalidInput);
+  // A product without a sign is a product of names of one letter that occur, or of x and y.
+  CHECK(variables_of("x + xy", "y") == Names{"x", "y"});
+  CHECK(variables_of("xy - 1", "1") == Names{"x", "y"});
+  CHECK(variables_of("uv - 1", "u - v") == Names{"u", "v"});
+  CHECK(variables_of("uv - 1", "u") == Names{"u", "uv"});
 }
 
 TEST_CASE("read_problem: the id is known even when the rest is refused") {
