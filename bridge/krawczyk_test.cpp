@@ -120,6 +120,14 @@ PlaneBall widened_hull(const PlaneBall& a, const PlaneBall& b, long precision_bi
   return hull;
 }
 
+/// The Krawczyk test on a box around both, at a precision at which rounding is small beside its radius.
+bool hull_has_one_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b) {
+  const long radius = std::min(radius_log2(a), radius_log2(b));
+  const long size = std::max({0L, magnitude_log2(a.x), magnitude_log2(a.y)});
+  const long precision_bits = std::max(128L, 2 * (size - radius) + 64);
+  return krawczyk_test(p, q, widened_hull(a, b, precision_bits), precision_bits).has_value();
+}
+
 }  // namespace
 
 std::optional<PlaneBall> krawczyk_test(const BallCurve& p, const BallCurve& q, const PlaneBall& box,
@@ -205,13 +213,12 @@ std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve
   return std::nullopt;
 }
 
-bool zero_is_real(const BallCurve& p, const BallCurve& q, const PlaneBall& box, long precision_bits) {
-  return krawczyk_test(p, q, widened_hull(box, conjugate(box), precision_bits), precision_bits).has_value();
+bool zero_is_real(const BallCurve& p, const BallCurve& q, const PlaneBall& box) {
+  return hull_has_one_zero(p, q, box, conjugate(box));
 }
 
-bool enclose_same_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b,
-                       long precision_bits) {
-  return krawczyk_test(p, q, widened_hull(a, b, precision_bits), precision_bits).has_value();
+bool enclose_same_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b) {
+  return hull_has_one_zero(p, q, a, b);
 }
 
 }  // namespace eliminant::bridge

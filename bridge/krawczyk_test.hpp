@@ -35,10 +35,9 @@ std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve
                                              long target_log2, long max_precision_bits);
 
 /// True when `box` and its complex conjugate, taken together, contain one zero only: of real curves, a real one.
-bool zero_is_real(const BallCurve& p, const BallCurve& q, const PlaneBall& box, long precision_bits);
+bool zero_is_real(const BallCurve& p, const BallCurve& q, const PlaneBall& box);
 
 /// True when the smallest box around both contains one zero only.
-bool enclose_same_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b,
-                       long precision_bits);
+bool enclose_same_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b);
 
 }  // namespace eliminant::bridge

@@ -99,8 +99,7 @@ bool SolutionSet::add_simple(const PlaneBall& start, long max_precision_bits) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     long precision_bits = 128;
     while (!disjoint(points_[i].box, candidate.box)) {
-      if (bridge::enclose_same_zero(scaled_p_, scaled_q_, to_scaled(points_[i].box), to_scaled(candidate.box),
-                                    precision_bits))
+      if (bridge::enclose_same_zero(scaled_p_, scaled_q_, to_scaled(points_[i].box), to_scaled(candidate.box)))
         return false;
       precision_bits *= 2;
       if (precision_bits > precision_ceiling) throw PrecisionExhausted("two solutions could not be told apart");
@@ -168,7 +167,7 @@ void SolutionSet::decide_reality() {
       EnclosedPoint& point = points_[i];
       if (!arb_contains_zero(point.box.x.imaginary()) || !arb_contains_zero(point.box.y.imaginary())) {
         point.reality = Reality::non_real;
-      } else if (bridge::zero_is_real(scaled_p_, scaled_q_, to_scaled(point.box), precision_bits)) {
+      } else if (bridge::zero_is_real(scaled_p_, scaled_q_, to_scaled(point.box))) {
         point.reality = Reality::real;
         store(point, PlaneBall(point.box), 0);
       } else {

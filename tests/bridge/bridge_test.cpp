@@ -122,11 +122,11 @@ TEST_CASE("Reality: a zero near the real plane is told from a real one") {
   const BallCurve real(curve("x^2 - 10^(-20)"));
   const auto i_zero = enclose_simple_zero(imaginary, line, {ComplexBall(0, 1e-10), ComplexBall()}, -80, 1024);
   REQUIRE(i_zero.has_value());
-  CHECK_FALSE(zero_is_real(imaginary, line, *i_zero, 256));
+  CHECK_FALSE(zero_is_real(imaginary, line, *i_zero));
   const auto r_zero = enclose_simple_zero(real, line, point(1e-10, 0), -80, 1024);
   REQUIRE(r_zero.has_value());
-  CHECK(zero_is_real(real, line, *r_zero, 256));
-  CHECK(enclose_same_zero(real, line, *r_zero, *r_zero, 256));
+  CHECK(zero_is_real(real, line, *r_zero));
+  CHECK(enclose_same_zero(real, line, *r_zero, *r_zero));
 }
 
 TEST_CASE("Root enclosure: all roots, isolated, real ones exactly real, zero exact") {
