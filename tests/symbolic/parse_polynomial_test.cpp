@@ -46,7 +46,8 @@ TEST_CASE("parse_polynomial: ordinary notation is understood") {
       {"((((x))))", "x"},
       {"(-1)^(10^9)", "1"},
       {"x(y+1)", "x*y + x"}};
-  for (const auto& [text, value] : cases) {
+  for (const auto& [written, value] : cases) {
+    const std::string text = written;
     CAPTURE(text);
     CHECK(read(text) == value);
   }

@@ -109,7 +109,7 @@ TEST_CASE("Resultant: equals the determinant of the Sylvester matrix in either h
     const Polynomial q = random_dense(random, static_cast<unsigned long>(random.between(1, 5)), 20);
     CAPTURE(text(p));
     CAPTURE(text(q));
-    for (std::size_t hidden : {0, 1}) {
+    for (std::size_t hidden : {0U, 1U}) {
       const HiddenVariablePolynomial f = hide_variable(p, hidden);
       const HiddenVariablePolynomial g = hide_variable(q, hidden);
       if (f.degree() < 0 || g.degree() < 0) continue;
