@@ -7,7 +7,9 @@
 namespace eliminant::intersect {
 
 enum class Engine { automatic, pencil, exact };
-enum class ResultantMatrix { automatic, sylvester, bezout };
+/// Which matrix the pencil is built from: those of the paper, or the hybrid Bezout matrix of the graded pencil, which
+/// needs curves that do not meet at infinity and double precision; automatic takes it where it can.
+enum class ResultantMatrix { automatic, sylvester, bezout, hybrid };
 /// Which solutions are listed; the counts are always those of the whole complex plane.
 enum class Field { automatic, real, complex };
 

@@ -4,12 +4,14 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/round_matrix.hpp>
 #include <eliminant/intersect/pencil_candidates.hpp>
+#include <eliminant/numeric/multiplication_matrix.hpp>
 #include <eliminant/numeric/newton_refinement.hpp>
 #include <eliminant/numeric/resultant_solver.hpp>
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 #include <eliminant/symbolic/elimination/exact_ranks.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
 #include <eliminant/symbolic/matrices/bezout_matrix.hpp>
+#include <eliminant/symbolic/matrices/hybrid_bezout_matrix.hpp>
 #include <eliminant/symbolic/matrices/sylvester_matrix.hpp>
 
 namespace eliminant::intersect {
@@ -19,6 +21,8 @@ namespace {
 using symbolic::HiddenVariablePolynomial;
 using symbolic::Polynomial;
 using symbolic::PolynomialMatrix;
+
+constexpr int newton_steps = 12;
 
 /// The number of distinct zeros of the determinant of the matrix, modulo a prime: the number of clusters.
 long distinct_eigenvalues(const HiddenVariablePolynomial& f, const HiddenVariablePolynomial& g, bool bezout,
@@ -82,7 +86,6 @@ PencilCandidates solve_rounded(const HiddenVariablePolynomial& f, const HiddenVa
       PencilCandidates::Candidate candidate{{exact_ball(fibre.x), exact_ball(y)}, {}};
       candidate.refined = candidate.approximate;
       if constexpr (std::is_same_v<Scalar, double>) {
-        constexpr int newton_steps = 12;
         const numeric::PlanePoint<double> point =
             numeric::newton_refinement<double>(problem.p, problem.q, {fibre.x, y}, newton_steps);
         candidate.refined = {exact_ball(point.x), exact_ball(point.y)};
@@ -135,6 +138,38 @@ PencilCandidates pencil_candidates(const Polynomial& p, const Polynomial& q, std
   result.report.matrix = bezout ? "bezout" : "sylvester";
   result.report.precision_bits = precision_bits;
   result.report.seed = options.seed;
+  return result;
+}
+
+PencilCandidates graded_pencil_candidates(const Polynomial& p, const Polynomial& q, const Context& context) {
+  context.checkpoint("building the resultant matrix");
+  const bool exchanged = p.total_degree() < q.total_degree();
+  const Polynomial& f = exchanged ? q : p;
+  const Polynomial& g = exchanged ? p : q;
+  const long m = f.total_degree();
+  const long n = g.total_degree();
+  const PolynomialMatrix matrix =
+      symbolic::hybrid_bezout_matrix(symbolic::hide_variable(f, 0), symbolic::hide_variable(g, 0), m, n);
+  const numeric::BivariatePolynomial<double> f_rounded = bridge::round_polynomial<double>(f).value;
+  const numeric::BivariatePolynomial<double> g_rounded = bridge::round_polynomial<double>(g).value;
+  PencilCandidates result;
+  result.report.matrix = "hybrid";
+  result.report.matrix_size = m;
+  result.report.matrix_degree = matrix.degree();
+  result.report.pencil_size = m * n;
+  result.report.regular_size = m * n;
+  result.report.precision_bits = 53;
+  context.checkpoint("eigenvalues");
+  const auto matrices =
+      numeric::multiplication_matrices<double>(bridge::round_matrix<double>(matrix).value, f_rounded, g_rounded, m, n);
+  if (!matrices) return result;
+  for (const numeric::PlanePoint<double>& found : numeric::points_of(*matrices)) {
+    if (!numeric::is_finite(found.x) || !numeric::is_finite(found.y)) continue;
+    const numeric::PlanePoint<double> refined =
+        numeric::newton_refinement<double>(f_rounded, g_rounded, found, newton_steps);
+    result.candidates.push_back(
+        {{exact_ball(found.x), exact_ball(found.y)}, {exact_ball(refined.x), exact_ball(refined.y)}});
+  }
   return result;
 }
 

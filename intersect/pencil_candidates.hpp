@@ -28,6 +28,11 @@ struct PencilCandidates {
 PencilCandidates pencil_candidates(const symbolic::Polynomial& p, const symbolic::Polynomial& q, std::size_t hidden,
                                    int precision_bits, const Options& options, const Context& context);
 
+/// Runs the graded pencil of the hybrid Bezout matrix in double precision (numeric/multiplication_matrix): as many
+/// candidates as Bezout's number. p and q are as above and their leading forms are coprime.
+PencilCandidates graded_pencil_candidates(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
+                                          const Context& context);
+
 /// Index of the variable to hide for the smaller companion pencil of that matrix.
 std::size_t smaller_pencil_variable(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
                                     ResultantMatrix matrix);

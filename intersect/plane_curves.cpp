@@ -72,6 +72,45 @@ class Solver {
   /// Fills the counts, the engine report and the set; true when every solution is proven and none is missing.
   bool run() {
     result_.engine.seed = options_.seed;
+    counts().bezout_number =
+        static_cast<unsigned long>(p_.total_degree()) * static_cast<unsigned long>(q_.total_degree());
+    if (!solve_generic()) solve_counted();
+    set_.decide_reality();
+    clock_.finish("certification");
+    report_method();
+    return set_.points().size() == expected_distinct();
+  }
+
+  SolutionSet& set() { return set_; }
+
+ private:
+  Counts& counts() { return result_.counts; }
+
+  /// The generic case, which needs no elimination: nothing at infinity, and as many simple solutions proven as Bezout's
+  /// number. False when that was not tried or did not come out; what was found is kept.
+  bool solve_generic() {
+    const bool graded_allowed =
+        options_.matrix == ResultantMatrix::automatic || options_.matrix == ResultantMatrix::hybrid;
+    if (options_.engine == Engine::exact || !graded_allowed || options_.epsilon ||
+        (options_.precision_bits != 0 && options_.precision_bits != 53) ||
+        !symbolic::do_not_meet_at_infinity(p_, q_, options_.seed))
+      return false;
+    const bridge::PowerOfTwoScaling scaling = bridge::choose_scaling(p_, q_);
+    const Polynomial p = scaled(p_, scaling);
+    const Polynomial q = scaled(q_, scaling);
+    graded_tried_ = true;
+    add_candidates(graded_pencil_candidates(p, q, context_), 0, scaling, counts().bezout_number);
+    clock_.finish("graded pencil");
+    if (set_.points().size() < counts().bezout_number) return false;
+    profile_.bezout_holds = true;
+    profile_.with_multiplicity = counts().bezout_number;
+    profile_.distinct_by_multiplicity = {counts().bezout_number};
+    counts().with_multiplicity = counts().bezout_number;
+    return true;
+  }
+
+  /// The general case: count first, exactly, then find.
+  void solve_counted() {
     profile_ = symbolic::solution_profile(p_, q_, options_.seed, context_);
     // Simple solutions only, and as many as Bezout's number: nothing else has to be known exactly beforehand.
     if (options_.engine == Engine::exact || !profile_.all_simple()) represent();
@@ -79,18 +118,16 @@ class Solver {
       throw PrecisionExhausted("no shear could be proven to separate the solutions");
     count_with_multiplicity();
     clock_.finish("exact count");
-    if (options_.engine != Engine::exact && expected_simple() > 0) solve_by_pencil();
-    const bool pencil_complete = set_.points().size() == expected_simple();
-    add_exact_classes(pencil_complete);
-    set_.decide_reality();
-    clock_.finish("certification");
-    report_method(pencil_complete);
-    return set_.points().size() == expected_distinct();
+    // Where the graded pencil has been tried, the larger pencil of the paper would hardly find more.
+    const bool pencil_wanted = options_.engine == Engine::pencil || !graded_tried_;
+    if (options_.engine != Engine::exact && pencil_wanted) solve_by_pencil();
+    add_exact_classes(set_.points().size() == expected_simple());
   }
 
-  SolutionSet& set() { return set_; }
+  static Polynomial scaled(const Polynomial& p, const bridge::PowerOfTwoScaling& scaling) {
+    return symbolic::scale_by_powers_of_two(p, scaling.x_log2, scaling.y_log2).primitive_part();
+  }
 
- private:
   unsigned long expected_distinct() const {
     return set_.representation() ? set_.representation()->distinct() : profile_.distinct();
   }
@@ -131,11 +168,8 @@ class Solver {
         total = set_.representation()->with_multiplicity();
       }
     }
-    Counts& counts = result_.counts;
-    counts.bezout_number =
-        static_cast<unsigned long>(p_.total_degree()) * static_cast<unsigned long>(q_.total_degree());
-    counts.with_multiplicity = total;
-    counts.at_infinity = counts.bezout_number - total;
+    counts().with_multiplicity = total;
+    counts().at_infinity = counts().bezout_number - total;
   }
 
   void solve_by_pencil() {
@@ -143,8 +177,8 @@ class Solver {
     if (options_.precision_bits == 0)
       ladder = options_.engine == Engine::pencil ? std::vector<int>{53, 128, 256, 512, 1024} : std::vector<int>{53};
     const bridge::PowerOfTwoScaling scaling = bridge::choose_scaling(p_, q_);
-    const Polynomial p = symbolic::scale_by_powers_of_two(p_, scaling.x_log2, scaling.y_log2).primitive_part();
-    const Polynomial q = symbolic::scale_by_powers_of_two(q_, scaling.x_log2, scaling.y_log2).primitive_part();
+    const Polynomial p = scaled(p_, scaling);
+    const Polynomial q = scaled(q_, scaling);
     const std::size_t first = smaller_pencil_variable(p, q, options_.matrix);
     for (const int precision_bits : ladder) {
       // The other orientation is a second, independent chance.
@@ -152,16 +186,17 @@ class Solver {
         if (set_.points().size() == expected_simple()) return;
         const std::size_t eliminated = 1 - hidden;
         if (std::max(p.degree(eliminated), q.degree(eliminated)) < 1) continue;
-        run_pencil(p, q, hidden, precision_bits, scaling);
+        add_candidates(pencil_candidates(p, q, hidden, precision_bits, options_, context_), hidden, scaling,
+                       expected_simple());
         clock_.finish(precision_bits == 53 ? "pencil in double precision"
                                            : "pencil at " + std::to_string(precision_bits) + " bits");
       }
     }
   }
 
-  void run_pencil(const Polynomial& p, const Polynomial& q, std::size_t hidden, int precision_bits,
-                  const bridge::PowerOfTwoScaling& scaling) {
-    PencilCandidates found = pencil_candidates(p, q, hidden, precision_bits, options_, context_);
+  /// Proves what it can of the candidates, until there are as many points as `wanted`.
+  void add_candidates(PencilCandidates found, std::size_t hidden, const bridge::PowerOfTwoScaling& scaling,
+                      unsigned long wanted) {
     EngineReport& report = result_.engine;
     report.matrix = found.report.matrix;
     report.hidden_variable = result_.variables[hidden];
@@ -171,10 +206,10 @@ class Solver {
     report.regular_size = found.report.regular_size;
     report.precision_bits = found.report.precision_bits;
     for (auto& candidate : found.candidates) {
-      if (set_.points().size() == expected_simple()) return;
+      if (set_.points().size() == wanted) return;
       acb_mul_2exp_si(candidate.refined.x.get(), candidate.refined.x.get(), scaling.x_log2);
       acb_mul_2exp_si(candidate.refined.y.get(), candidate.refined.y.get(), scaling.y_log2);
-      const long max_precision_bits = std::max(256, 2 * precision_bits);
+      const long max_precision_bits = std::max(256, 2 * report.precision_bits);
       if (!set_.add_simple(candidate.refined, max_precision_bits)) continue;
       note_error(candidate.approximate, scaling);
     }
@@ -222,7 +257,7 @@ class Solver {
       if (classes[k].multiplicity > 1 || simple_too) set_.add_class(k, {});
   }
 
-  void report_method(bool pencil_complete) {
+  void report_method() {
     const bool from_pencil = std::any_of(set_.points().begin(), set_.points().end(),
                                          [](const EnclosedPoint& point) { return !point.class_index; });
     const bool from_representation =
@@ -232,7 +267,6 @@ class Solver {
                             : from_pencil                      ? "pencil"
                             : from_representation              ? "exact"
                                                                : "none";
-    (void)pencil_complete;
   }
 
   const Polynomial& p_;
@@ -243,6 +277,7 @@ class Solver {
   StageClock& clock_;
   SolutionSet set_;
   SolutionProfile profile_;
+  bool graded_tried_ = false;
 };
 
 /// Whether a real point lies in the closed box, decided exactly: equality with a border has been found before.

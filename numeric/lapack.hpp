@@ -7,4 +7,9 @@ extern "C" {
 void dggev_(const char* jobvl, const char* jobvr, const int* n, double* a, const int* lda, double* b, const int* ldb,
             double* alphar, double* alphai, double* beta, double* vl, const int* ldvl, double* vr, const int* ldvr,
             double* work, const int* lwork, int* info);
+/// Eigenvalues and right eigenvectors of a real matrix, balanced, by the QR algorithm.
+void dgeev_(const char* jobvl, const char* jobvr, const int* n, double* a, const int* lda, double* wr, double* wi,
+            double* vl, const int* ldvl, double* vr, const int* ldvr, double* work, const int* lwork, int* info);
+/// LU factorisation with partial pivoting.
+void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
 }

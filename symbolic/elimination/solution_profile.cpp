@@ -37,6 +37,11 @@ bool leading_forms_coprime(const ModularCurve& p, const ModularCurve& q, const P
 
 unsigned long SolutionProfile::distinct() const { return sum(distinct_by_multiplicity); }
 
+bool do_not_meet_at_infinity(const Polynomial& p, const Polynomial& q, std::uint64_t seed) {
+  const PrimeField field(PrimeSequence(mix(seed, 1)).next());
+  return leading_forms_coprime(ModularCurve(p, field), ModularCurve(q, field), field);
+}
+
 SolutionProfile solution_profile(const Polynomial& p, const Polynomial& q, std::uint64_t seed, const Context& context) {
   context.checkpoint("counting solutions");
   // Another prime than those of the reconstruction, so that both agreeing means something.

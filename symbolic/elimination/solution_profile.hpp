@@ -24,6 +24,10 @@ struct SolutionProfile {
   bool all_simple() const { return distinct() == with_multiplicity; }
 };
 
+/// True when the leading forms are proven coprime (their resultant is not zero modulo one prime): the curves do not
+/// meet at infinity, and Bezout's number counts the affine solutions.
+bool do_not_meet_at_infinity(const Polynomial& p, const Polynomial& q, std::uint64_t seed);
+
 /// p and q primitive over Z, coprime, not both constant.
 SolutionProfile solution_profile(const Polynomial& p, const Polynomial& q, std::uint64_t seed, const Context& context);
 
