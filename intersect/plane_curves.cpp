@@ -210,15 +210,20 @@ class Solver {
       acb_mul_2exp_si(candidate.refined.x.get(), candidate.refined.x.get(), scaling.x_log2);
       acb_mul_2exp_si(candidate.refined.y.get(), candidate.refined.y.get(), scaling.y_log2);
       const long max_precision_bits = std::max(256, 2 * report.precision_bits);
-      if (!set_.add_simple(candidate.refined, max_precision_bits)) continue;
-      note_error(candidate.approximate, scaling);
+      const int added = set_.add_simple(candidate.refined, first_radius_log2(), max_precision_bits);
+      if (added == 0) continue;
+      const std::size_t first_new = set_.points().size() - static_cast<std::size_t>(added);
+      note_error(candidate.approximate, set_.points()[first_new].box, scaling);
     }
   }
 
+  /// Tight enough to print most solutions without enclosing them again.
+  long first_radius_log2() const { return -std::min(bits_for_digits(options_.digits), 200L); }
+
   /// Distance of the pencil's answer from the solution just added, relative to max(1, |coordinate|), in the scaled
   /// coordinates in which the pencil worked.
-  void note_error(const bridge::PlaneBall& approximate, const bridge::PowerOfTwoScaling& scaling) {
-    const bridge::PlaneBall& box = set_.points().back().box;
+  void note_error(const bridge::PlaneBall& approximate, const bridge::PlaneBall& box,
+                  const bridge::PowerOfTwoScaling& scaling) {
     const auto relative_distance = [](const bridge::ComplexBall& found, const bridge::ComplexBall& truth, long log2) {
       bridge::ComplexBall exact = truth;
       acb_mul_2exp_si(exact.get(), exact.get(), -log2);

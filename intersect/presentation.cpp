@@ -22,9 +22,6 @@ struct Printed {
   long radius_exponent = 0;
 };
 
-/// Bits that hold a number of decimal digits, and a few more for the guard digits of rounding.
-long bits_for_digits(long digits) { return digits * 10 / 3 + 40; }
-
 bool is_exactly_zero(const ComplexBall& ball) { return acb_is_zero(ball.get()) != 0; }
 
 /// Encloses the point until each coordinate that is not exactly zero has `digits` digits and a few more.
@@ -36,7 +33,7 @@ void enclose_for_digits(SolutionSet& set, std::size_t index, long digits) {
     for (const ComplexBall* coordinate : {&box.x, &box.y})
       enough = enough && (is_exactly_zero(*coordinate) ||
                           (!acb_contains_zero(coordinate->get()) &&
-                           acb_rel_accuracy_bits(coordinate->get()) >= bits_for_digits(digits) - 16));
+                           acb_rel_accuracy_bits(coordinate->get()) >= bits_for_digits(digits) - 10));
     if (enough) return;
   }
 }
@@ -68,15 +65,25 @@ bool printed_boxes_disjoint(const Printed& a, const Printed& b) {
   return false;
 }
 
-/// A quick sufficient test for the same on the enclosures.
-bool far_apart(const bridge::PlaneBall& a, const bridge::PlaneBall& b, long radius_exponent) {
-  const auto part_far = [&](arb_srcptr u, arb_srcptr v) {
-    const double difference =
-        std::fabs(arf_get_d(arb_midref(u), ARF_RND_NEAR) - arf_get_d(arb_midref(v), ARF_RND_NEAR));
-    return difference > 8 * std::pow(10.0, static_cast<double>(radius_exponent));
-  };
-  return part_far(a.x.real(), b.x.real()) || part_far(a.x.imaginary(), b.x.imaginary()) ||
-         part_far(a.y.real(), b.y.real()) || part_far(a.y.imaginary(), b.y.imaginary());
+/// Which printed boxes meet another one. Only pairs whose real parts of x are close are looked at exactly.
+std::vector<bool> crowded_points(const SolutionSet& set, const std::vector<std::size_t>& indices,
+                                 const std::vector<Printed>& printed) {
+  const std::size_t count = indices.size();
+  std::vector<double> position(count);
+  double reach = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    position[i] = arf_get_d(arb_midref(set.points()[indices[i]].box.x.real()), ARF_RND_NEAR);
+    const double radius = std::pow(10.0, static_cast<double>(printed[i].radius_exponent));
+    reach = std::max(reach, 8 * radius + 1e-12 * std::fabs(position[i]));
+  }
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
+  std::vector<bool> crowded(count, false);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count && !(position[order[j]] - position[order[i]] > reach); ++j)
+      if (!printed_boxes_disjoint(printed[order[i]], printed[order[j]])) crowded[order[i]] = crowded[order[j]] = true;
+  return crowded;
 }
 
 /// For each point the rank of one part among all: equal for parts whose enclosures meet, so that rounding noise in
@@ -117,13 +124,7 @@ std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& 
   }
   for (bool changed = true; changed;) {
     changed = false;
-    std::vector<bool> crowded(count, false);
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const long reach = std::max(printed[i].radius_exponent, printed[j].radius_exponent);
-        if (far_apart(set.points()[indices[i]].box, set.points()[indices[j]].box, reach)) continue;
-        if (!printed_boxes_disjoint(printed[i], printed[j])) crowded[i] = crowded[j] = true;
-      }
+    const std::vector<bool> crowded = crowded_points(set, indices, printed);
     for (std::size_t i = 0; i < count; ++i) {
       if (!crowded[i]) continue;
       changed = true;

@@ -7,6 +7,9 @@
 
 namespace eliminant::intersect {
 
+/// Bits that hold a number of decimal digits, the guard digits of rounding, and a few more.
+constexpr long bits_for_digits(long digits) { return digits * 10 / 3 + 28; }
+
 /// The points of `set` with the given indices as solutions with `digits` significant decimal digits, sorted by
 /// (Re x, Im x, Re y, Im y). Where the printed boxes of two solutions would meet, both get more digits until they do
 /// not. Fills everything but `certified` and `reason`.

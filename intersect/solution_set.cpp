@@ -39,6 +39,10 @@ symbolic::UnivariatePolynomial solutions_on_line(const symbolic::Polynomial& p, 
   return symbolic::gcd(restrict_to_line(p), restrict_to_line(q));
 }
 
+symbolic::Polynomial scaled(const symbolic::Polynomial& p, const bridge::PowerOfTwoScaling& scaling) {
+  return symbolic::scale_by_powers_of_two(p, scaling.x_log2, scaling.y_log2).primitive_part();
+}
+
 }  // namespace
 
 long radius_log2(const PlaneBall& box) {
@@ -54,9 +58,27 @@ SolutionSet::SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomi
     : p_(p),
       q_(q),
       scaling_(bridge::choose_scaling(p, q)),
-      scaled_p_(symbolic::scale_by_powers_of_two(p, scaling_.x_log2, scaling_.y_log2)),
-      scaled_q_(symbolic::scale_by_powers_of_two(q, scaling_.x_log2, scaling_.y_log2)),
+      scaled_p_(scaled(p, scaling_)),
+      scaled_q_(scaled(q, scaling_)),
+      rounded_p_(bridge::RoundedCurve::round(scaled(p, scaling_))),
+      rounded_q_(bridge::RoundedCurve::round(scaled(q, scaling_))),
       context_(context) {}
+
+long SolutionSet::scaled_target(long radius_log2) const {
+  return radius_log2 - std::max(scaling_.x_log2, scaling_.y_log2) - 1;
+}
+
+std::optional<PlaneBall> SolutionSet::enclose_in_doubles(const PlaneBall& scaled_start, long target_log2) const {
+  if (!rounded_p_ || !rounded_q_) return std::nullopt;
+  const auto to_double = [](const ComplexBall& z) {
+    return std::complex<double>(arf_get_d(arb_midref(z.real()), ARF_RND_NEAR),
+                                arf_get_d(arb_midref(z.imaginary()), ARF_RND_NEAR));
+  };
+  const auto certificate =
+      bridge::disc_krawczyk_test(*rounded_p_, *rounded_q_, {to_double(scaled_start.x), to_double(scaled_start.y)});
+  if (!certificate) return std::nullopt;
+  return bridge::enclose_zero(*certificate, scaled_p_, scaled_q_, target_log2);
+}
 
 PlaneBall SolutionSet::to_scaled(const PlaneBall& point) const {
   PlaneBall result = point;
@@ -87,20 +109,23 @@ void SolutionSet::store(EnclosedPoint& point, PlaneBall box, long target_log2) c
   point.box = std::move(box);
 }
 
-bool SolutionSet::add_simple(const PlaneBall& start, long max_precision_bits) {
+int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_precision_bits) {
   context_.checkpoint("certifying");
-  constexpr long first_target_log2 = -60;
-  std::optional<PlaneBall> box =
-      bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(start), first_target_log2, max_precision_bits);
-  if (!box) return false;
+  const PlaneBall scaled_start = to_scaled(start);
+  std::optional<PlaneBall> box = enclose_in_doubles(scaled_start, scaled_target(target_log2));
+  if (!box)
+    box =
+        bridge::enclose_simple_zero(scaled_p_, scaled_q_, scaled_start, scaled_target(target_log2), max_precision_bits);
+  if (!box) return 0;
   EnclosedPoint candidate;
   candidate.box = from_scaled(*box);
+  if (acb_is_real(candidate.box.x.get()) && acb_is_real(candidate.box.y.get())) candidate.reality = Reality::real;
   // Either the same zero, which one box around both proves, or another one, which tighter boxes prove.
   for (std::size_t i = 0; i < points_.size(); ++i) {
     long precision_bits = 128;
     while (!disjoint(points_[i].box, candidate.box)) {
       if (bridge::enclose_same_zero(scaled_p_, scaled_q_, to_scaled(points_[i].box), to_scaled(candidate.box)))
-        return false;
+        return 0;
       precision_bits *= 2;
       if (precision_bits > precision_ceiling) throw PrecisionExhausted("two solutions could not be told apart");
       points_.push_back(candidate);
@@ -110,8 +135,20 @@ bool SolutionSet::add_simple(const PlaneBall& start, long max_precision_bits) {
       enclose(i, -precision_bits);
     }
   }
+  const bool non_real =
+      !arb_contains_zero(candidate.box.x.imaginary()) || !arb_contains_zero(candidate.box.y.imaginary());
+  if (!non_real) {
+    points_.push_back(std::move(candidate));
+    return 1;
+  }
+  // p and q are real: the conjugate is a solution too, and new, because it would have brought this one with it.
+  candidate.reality = Reality::non_real;
+  EnclosedPoint conjugate = candidate;
+  acb_conj(conjugate.box.x.get(), conjugate.box.x.get());
+  acb_conj(conjugate.box.y.get(), conjugate.box.y.get());
   points_.push_back(std::move(candidate));
-  return true;
+  points_.push_back(std::move(conjugate));
+  return 2;
 }
 
 void SolutionSet::set_representation(symbolic::UnivariateRepresentation representation) {

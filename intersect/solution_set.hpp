@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
+#include <eliminant/bridge/disc_certificate.hpp>
 #include <eliminant/bridge/krawczyk_test.hpp>
 #include <eliminant/bridge/power_of_two_scaling.hpp>
 #include <eliminant/intersect/result.hpp>
@@ -34,9 +35,11 @@ class SolutionSet {
 
   const std::vector<EnclosedPoint>& points() const { return points_; }
 
-  /// Tries to enclose a simple solution near `start` (given in the coordinates of p and q) by the Krawczyk test. False
-  /// when nothing was proven or the solution is already there. At most up to `max_precision_bits`.
-  bool add_simple(const bridge::PlaneBall& start, long max_precision_bits);
+  /// Tries to enclose a simple solution near `start` (given in the coordinates of p and q) in a box of radius at most
+  /// 2^radius_log2: by the Krawczyk test in hardware doubles, or in ball arithmetic of at most `max_precision_bits`. A
+  /// solution that is not real brings its conjugate with it. Returns the number of solutions that are new: 0 when
+  /// nothing was proven or it is already there.
+  int add_simple(const bridge::PlaneBall& start, long radius_log2, long max_precision_bits);
 
   /// Forgets all points.
   void clear() { points_.clear(); }
@@ -58,6 +61,8 @@ class SolutionSet {
   void find_exact_coordinate(std::size_t axis, const symbolic::Rational& value);
 
  private:
+  std::optional<bridge::PlaneBall> enclose_in_doubles(const bridge::PlaneBall& scaled_start, long radius_log2) const;
+  long scaled_target(long radius_log2) const;
   bridge::PlaneBall to_scaled(const bridge::PlaneBall& point) const;
   bridge::PlaneBall from_scaled(const bridge::PlaneBall& point) const;
   void refine_class(std::size_t class_index, long relative_bits);
@@ -68,6 +73,8 @@ class SolutionSet {
   bridge::PowerOfTwoScaling scaling_;
   bridge::BallCurve scaled_p_;
   bridge::BallCurve scaled_q_;
+  std::optional<bridge::RoundedCurve> rounded_p_;
+  std::optional<bridge::RoundedCurve> rounded_q_;
   const Context& context_;
   std::vector<EnclosedPoint> points_;
   std::optional<symbolic::UnivariateRepresentation> representation_;

@@ -64,9 +64,7 @@ std::vector<PlanePoint<double>> points_of(const MultiplicationMatrices<double>& 
     vector.cwiseAbs2().maxCoeff(&largest);
     const PlanePoint<double> point{coordinate(matrices.x, vector, largest), coordinate(matrices.y, vector, largest)};
     points.push_back(point);
-    if (!pair) continue;
-    points.push_back({std::conj(point.x), std::conj(point.y)});
-    ++k;
+    if (pair) ++k;
   }
   return points;
 }
