@@ -67,12 +67,15 @@ bool row_sum_below_one(const ComplexBall& u, const ComplexBall& v) {
   return below;
 }
 
-/// An upper bound of log2 |z|; a very small number for zero.
+/// What stands for log2 0.
+constexpr long no_magnitude = -(1L << 40);
+
+/// An upper bound of log2 |z|; no_magnitude for zero.
 long magnitude_log2(const ComplexBall& z) {
   mag_t magnitude;
   mag_init(magnitude);
   acb_get_mag(magnitude, z.get());
-  long result = -(1L << 40);
+  long result = no_magnitude;
   if (mag_is_special(magnitude) == 0)
     result = static_cast<long>(fmpz_get_si(MAG_EXPREF(magnitude)));
   else if (mag_is_inf(magnitude))
@@ -93,7 +96,7 @@ PlaneBall inflate(const PlaneBall& point, long radius_log2) {
 
 long radius_log2(const PlaneBall& box) {
   ComplexBall radius;
-  long result = -(1L << 40);
+  long result = no_magnitude;
   for (const ComplexBall* coordinate : {&box.x, &box.y}) {
     arb_get_rad_arb(radius.real(), coordinate->real());
     arb_get_rad_arb(radius.imaginary(), coordinate->imaginary());
@@ -122,7 +125,9 @@ PlaneBall widened_hull(const PlaneBall& a, const PlaneBall& b, long precision_bi
 
 /// The Krawczyk test on a box around both, at a precision at which rounding is small beside its radius.
 bool hull_has_one_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& a, const PlaneBall& b) {
-  const long radius = std::min(radius_log2(a), radius_log2(b));
+  const long radius = std::max(radius_log2(a), radius_log2(b));
+  if (radius == no_magnitude)  // two exact points
+    return acb_equal(a.x.get(), b.x.get()) != 0 && acb_equal(a.y.get(), b.y.get()) != 0;
   const long size = std::max({0L, magnitude_log2(a.x), magnitude_log2(a.y)});
   const long precision_bits = std::max(128L, 2 * (size - radius) + 64);
   return krawczyk_test(p, q, widened_hull(a, b, precision_bits), precision_bits).has_value();

@@ -82,12 +82,11 @@ std::vector<ComplexBall> enclose_roots(const symbolic::UnivariatePolynomial& squ
     const slong max_iterations = have_start ? 20 + degree / 4 : 4 * degree + 2 * precision_bits;
     const slong isolated = acb_poly_find_roots(roots.get(), rounded.get(), have_start ? start.get() : nullptr,
                                                max_iterations, precision_bits);
-    have_start = true;
-    for (slong i = 0; i < degree; ++i) {
-      acb_get_mid(start[i], roots[i]);
-      if (!acb_is_finite(start[i])) have_start = false;
-    }
-    if (isolated < degree || !accurate(roots.get(), degree, relative_bits)) continue;
+    // Values that did not separate the roots would not do so later either: the next round starts afresh.
+    have_start = isolated == degree;
+    if (!have_start) continue;
+    for (slong i = 0; i < degree; ++i) acb_get_mid(start[i], roots[i]);
+    if (!accurate(roots.get(), degree, relative_bits)) continue;
     if (!acb_poly_validate_real_roots(roots.get(), rounded.get(), precision_bits)) continue;
     break;
   }
