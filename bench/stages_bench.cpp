@@ -4,16 +4,19 @@
 //   scripts/bench.sh stages [--benchmark_filter=REGEX ...]
 #include <benchmark/benchmark.h>
 
+#include <eliminant/bridge/disc_certificate.hpp>
 #include <eliminant/bridge/krawczyk_test.hpp>
 #include <eliminant/bridge/round_matrix.hpp>
 #include <eliminant/intersect/pencil_candidates.hpp>
 #include <eliminant/numeric/generalized_eigen.hpp>
 #include <eliminant/numeric/kronecker_reduction.hpp>
+#include <eliminant/numeric/multiplication_matrix.hpp>
 #include <eliminant/symbolic/elimination/exact_ranks.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
 #include <eliminant/symbolic/elimination/solution_profile.hpp>
 #include <eliminant/symbolic/elimination/univariate_representation.hpp>
 #include <eliminant/symbolic/matrices/bezout_matrix.hpp>
+#include <eliminant/symbolic/matrices/hybrid_bezout_matrix.hpp>
 #include <eliminant/symbolic/matrices/sylvester_matrix.hpp>
 
 #include "setup.hpp"
@@ -57,6 +60,13 @@ void sylvester_matrix(benchmark::State& state) {
   count_matrix(state, symbolic::sylvester_matrix(pair.f, pair.g));
 }
 
+void hybrid_bezout_matrix(benchmark::State& state) {
+  const long degree = state.range(0);
+  const HiddenPair pair(dense_pair(degree));
+  for (auto _ : state) benchmark::DoNotOptimize(symbolic::hybrid_bezout_matrix(pair.f, pair.g, degree, degree));
+  count_matrix(state, symbolic::hybrid_bezout_matrix(pair.f, pair.g, degree, degree));
+}
+
 void resultant(benchmark::State& state) {
   const HiddenPair pair(dense_pair(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(symbolic::resultant(pair.f, pair.g, seed));
@@ -94,7 +104,50 @@ void generalized_eigen(benchmark::State& state) {
   state.counters["size"] = static_cast<double>(regular.pencil.size());
 }
 
-/// Everything from the two polynomials to unproven points; the stages above, then clusters and fibres.
+/// What the graded pencil starts from.
+struct RoundedPair {
+  explicit RoundedPair(long degree)
+      : pair(dense_pair(degree)),
+        p(bridge::round_polynomial<double>(pair.p).value),
+        q(bridge::round_polynomial<double>(pair.q).value),
+        matrix(bridge::round_matrix<double>(symbolic::hybrid_bezout_matrix(symbolic::hide_variable(pair.p, 0),
+                                                                           symbolic::hide_variable(pair.q, 0), degree,
+                                                                           degree))
+                   .value),
+        degree(degree) {}
+  numeric::MultiplicationMatrices<double> multiplication() const {
+    return numeric::multiplication_matrices<double>(matrix, p, q, degree, degree).value();
+  }
+  CurvePair pair;
+  numeric::BivariatePolynomial<double> p;
+  numeric::BivariatePolynomial<double> q;
+  numeric::MatrixPolynomial<double> matrix;
+  long degree;
+};
+
+void multiplication_matrices(benchmark::State& state) {
+  const RoundedPair rounded(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(rounded.multiplication());
+  state.counters["size"] = static_cast<double>(rounded.multiplication().x.rows());
+}
+
+/// Eigenvalues and eigenvectors of a combination of the multiplication matrices, and the points read off them.
+void multiplication_points(benchmark::State& state) {
+  const auto matrices = RoundedPair(state.range(0)).multiplication();
+  for (auto _ : state) benchmark::DoNotOptimize(numeric::points_of(matrices));
+  state.counters["size"] = static_cast<double>(matrices.x.rows());
+}
+
+/// Everything from the two polynomials to unproven points by the graded pencil.
+void graded_pencil_candidates(benchmark::State& state) {
+  const CurvePair pair = dense_pair(state.range(0));
+  const Context context;
+  std::size_t count = 0;
+  for (auto _ : state) count = intersect::graded_pencil_candidates(pair.p, pair.q, context).candidates.size();
+  state.counters["candidates"] = static_cast<double>(count);
+}
+
+/// The same by the paper's pencil of the Bezout matrix; then clusters and fibres.
 void pencil_candidates(benchmark::State& state) {
   const CurvePair pair = dense_pair(state.range(0));
   const Context context;
@@ -133,6 +186,24 @@ void univariate_representation(benchmark::State& state) {
   state.counters["distinct"] = static_cast<double>(distinct);
 }
 
+/// All solutions by the Krawczyk test in hardware doubles, from refined points of the graded pencil.
+void disc_certificate(benchmark::State& state) {
+  const RoundedPair rounded(state.range(0));
+  constexpr int newton_steps = 12;
+  std::vector<numeric::PlanePoint<double>> points = numeric::points_of(rounded.multiplication());
+  for (auto& point : points) point = numeric::newton_refinement<double>(rounded.p, rounded.q, point, newton_steps);
+  const auto p = bridge::RoundedCurve::round(rounded.pair.p);
+  const auto q = bridge::RoundedCurve::round(rounded.pair.q);
+  std::size_t proven = 0;
+  for (auto _ : state) {
+    proven = 0;
+    for (const auto& point : points)
+      if (bridge::disc_krawczyk_test(*p, *q, point)) ++proven;
+  }
+  state.counters["points"] = static_cast<double>(points.size());
+  state.counters["proven"] = static_cast<double>(proven);
+}
+
 /// All simple solutions, from the points of the pencil: to a radius of 2^-80 with at most 256 bits.
 void krawczyk_enclosing(benchmark::State& state) {
   const CurvePair pair = dense_pair(state.range(0));
@@ -158,12 +229,16 @@ void dense_degrees(benchmark::internal::Benchmark* family) {
 
 BENCHMARK(bezout_matrix)->Apply(dense_degrees);
 BENCHMARK(sylvester_matrix)->Apply(dense_degrees);
+BENCHMARK(hybrid_bezout_matrix)->Apply(dense_degrees);
 BENCHMARK(resultant)->Apply(dense_degrees);
 BENCHMARK(infinite_structure)->Apply(dense_degrees);
 BENCHMARK(round_matrix<double>)->Apply(dense_degrees);
 BENCHMARK(round_matrix<numeric::Real256>)->Apply(dense_degrees);
 BENCHMARK(staircase)->Apply(dense_degrees);
 BENCHMARK(generalized_eigen)->Apply(dense_degrees);
+BENCHMARK(multiplication_matrices)->Apply(dense_degrees);
+BENCHMARK(multiplication_points)->Apply(dense_degrees);
+BENCHMARK(graded_pencil_candidates)->Apply(dense_degrees);
 BENCHMARK(pencil_candidates)->Apply(dense_degrees);
 BENCHMARK(solution_profile)->Apply(dense_degrees);
 BENCHMARK(chow_form)
@@ -171,6 +246,7 @@ BENCHMARK(chow_form)
     ->ArgNames({"degree", "derivative"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(univariate_representation)->Apply(dense_degrees);
+BENCHMARK(disc_certificate)->Apply(dense_degrees);
 BENCHMARK(krawczyk_enclosing)->Apply(dense_degrees);
 
 }  // namespace
