@@ -177,11 +177,14 @@ std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, co
   const BallJet q_at_m = q.jet(m, precision_bits);
   const std::optional<BallMatrix> inverse = approximate_inverse(p_at_m, q_at_m, precision_bits);
   if (!inverse) return std::nullopt;
-  const ComplexBall step_x = inner_product(inverse->a, p_at_m.value, inverse->b, q_at_m.value, precision_bits);
-  const ComplexBall step_y = inner_product(inverse->c, p_at_m.value, inverse->d, q_at_m.value, precision_bits);
-  NewtonStep result{m, std::max(magnitude_log2(step_x), magnitude_log2(step_y))};
-  acb_sub(result.point.x.get(), m.x.get(), step_x.get(), precision_bits);
-  acb_sub(result.point.y.get(), m.y.get(), step_y.get(), precision_bits);
+  PlaneBall step{inner_product(inverse->a, p_at_m.value, inverse->b, q_at_m.value, precision_bits),
+                 inner_product(inverse->c, p_at_m.value, inverse->d, q_at_m.value, precision_bits)};
+  const long noise_log2 = radius_log2(step);
+  drop_radius(step.x);
+  drop_radius(step.y);
+  NewtonStep result{m, std::max(magnitude_log2(step.x), magnitude_log2(step.y)), noise_log2};
+  acb_sub(result.point.x.get(), m.x.get(), step.x.get(), precision_bits);
+  acb_sub(result.point.y.get(), m.y.get(), step.y.get(), precision_bits);
   drop_radius(result.point.x);
   drop_radius(result.point.y);
   if (!acb_is_finite(result.point.x.get()) || !acb_is_finite(result.point.y.get())) return std::nullopt;
@@ -208,7 +211,7 @@ std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve
     }
     const std::optional<NewtonStep> check = newton_step(p, q, point, precision_bits);
     if (!check) return std::nullopt;
-    const long floor_log2 = size_log2 - precision_bits + 16;
+    const long floor_log2 = std::max(size_log2 - precision_bits + 16, check->noise_log2 + 2);
     for (const long radius :
          {std::max(check->step_log2 + 2, floor_log2), std::max(check->step_log2 + 8, floor_log2 + 8)}) {
       const std::optional<PlaneBall> image = krawczyk_test(p, q, inflate(point, radius), precision_bits);

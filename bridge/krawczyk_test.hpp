@@ -21,10 +21,13 @@ std::optional<PlaneBall> krawczyk_test(const BallCurve& p, const BallCurve& q, c
                                        long precision_bits);
 
 /// One Newton step from the midpoint of `point`, its result rounded to an exact point; nullopt where the Jacobian
-/// cannot be inverted at this precision. `step_log2` is an upper bound of log2 of the larger coordinate of the step.
+/// cannot be inverted at this precision. `step_log2` is an upper bound of log2 of the larger coordinate of the step
+/// taken; `noise_log2` one of the radius of its enclosure, which far exceeds the true rounding error at high degrees:
+/// rectangles grow when they are multiplied.
 struct NewtonStep {
   PlaneBall point;
   long step_log2 = 0;
+  long noise_log2 = 0;
 };
 std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, const PlaneBall& point,
                                       long precision_bits);

@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   const std::vector<std::string> words(argv + 1, argv + argc);
   try {
-    io::prepare_exact_arithmetic();
+    io::prepare_arithmetic();
     const auto parsed = cli::parse_arguments(words);
     if (const auto* information = std::get_if<cli::Information>(&parsed)) {
       cli::Answer(std::nullopt).write(information->text);

@@ -173,17 +173,22 @@ PencilCandidates graded_pencil_candidates(const Polynomial& p, const Polynomial&
   return result;
 }
 
+long companion_pencil_size(const Polynomial& p, const Polynomial& q, std::size_t hidden, ResultantMatrix matrix) {
+  const std::size_t eliminated = 1 - hidden;
+  const bool bezout = matrix != ResultantMatrix::sylvester;
+  const long size =
+      bezout ? std::max(p.degree(eliminated), q.degree(eliminated)) : p.degree(eliminated) + q.degree(eliminated);
+  const long degree = bezout ? p.degree(hidden) + q.degree(hidden) : std::max(p.degree(hidden), q.degree(hidden));
+  return size * degree;
+}
+
 std::size_t smaller_pencil_variable(const Polynomial& p, const Polynomial& q, ResultantMatrix matrix) {
-  const auto pencil_size = [&](std::size_t hidden) {
-    const std::size_t eliminated = 1 - hidden;
-    const bool bezout = matrix != ResultantMatrix::sylvester;
-    const long size =
-        bezout ? std::max(p.degree(eliminated), q.degree(eliminated)) : p.degree(eliminated) + q.degree(eliminated);
-    const long degree = bezout ? p.degree(hidden) + q.degree(hidden) : std::max(p.degree(hidden), q.degree(hidden));
-    // Without the eliminated variable, or without the hidden one, there is no matrix polynomial to solve.
-    return size * degree == 0 ? std::numeric_limits<long>::max() : size * degree;
+  // Without the eliminated variable, or without the hidden one, there is no matrix polynomial to solve.
+  const auto usable_size = [&](std::size_t hidden) {
+    const long size = companion_pencil_size(p, q, hidden, matrix);
+    return size == 0 ? std::numeric_limits<long>::max() : size;
   };
-  return pencil_size(0) <= pencil_size(1) ? 0 : 1;
+  return usable_size(0) <= usable_size(1) ? 0 : 1;
 }
 
 }  // namespace eliminant::intersect

@@ -33,6 +33,10 @@ PencilCandidates pencil_candidates(const symbolic::Polynomial& p, const symbolic
 PencilCandidates graded_pencil_candidates(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
                                           const Context& context);
 
+/// Upper bound of the columns of the companion pencil of that matrix with the variable `hidden` hidden.
+long companion_pencil_size(const symbolic::Polynomial& p, const symbolic::Polynomial& q, std::size_t hidden,
+                           ResultantMatrix matrix);
+
 /// Index of the variable to hide for the smaller companion pencil of that matrix.
 std::size_t smaller_pencil_variable(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
                                     ResultantMatrix matrix);

@@ -21,6 +21,20 @@ namespace {
 using symbolic::Polynomial;
 using symbolic::SolutionProfile;
 
+/// The dense eigenproblems grow with the cube of the columns: beyond these the exact engine is faster and smaller.
+constexpr long largest_double_pencil = 2500;
+constexpr long largest_multiprecision_pencil = 600;
+
+/// Beyond this number of solutions no engine answers in reasonable time.
+constexpr unsigned long largest_bezout_number = 20000;
+
+/// Rows of the relations of the graded pencil: monomials of degree < m in y and total degree < m + n - 1.
+long graded_rows(long m, long n) {
+  long rows = 0;
+  for (long j = 0; j < m; ++j) rows += m + n - 1 - j;
+  return rows;
+}
+
 /// Wall-clock seconds of the stages of one solve.
 class StageClock {
  public:
@@ -74,6 +88,10 @@ class Solver {
     result_.engine.seed = options_.seed;
     counts().bezout_number =
         static_cast<unsigned long>(p_.total_degree()) * static_cast<unsigned long>(q_.total_degree());
+    if (counts().bezout_number > largest_bezout_number)
+      throw LimitReached("the curves of degrees " + std::to_string(p_.total_degree()) + " and " +
+                         std::to_string(q_.total_degree()) + " may have " + std::to_string(counts().bezout_number) +
+                         " intersections; the limit is " + std::to_string(largest_bezout_number));
     if (!solve_generic()) solve_counted();
     set_.decide_reality();
     clock_.finish("certification");
@@ -91,7 +109,10 @@ class Solver {
   bool solve_generic() {
     const bool graded_allowed =
         options_.matrix == ResultantMatrix::automatic || options_.matrix == ResultantMatrix::hybrid;
+    const long m = std::max(p_.total_degree(), q_.total_degree());
+    const long n = std::min(p_.total_degree(), q_.total_degree());
     if (options_.engine == Engine::exact || !graded_allowed || options_.epsilon ||
+        graded_rows(m, n) > largest_double_pencil * 3 / 2 ||
         (options_.precision_bits != 0 && options_.precision_bits != 53) ||
         !symbolic::do_not_meet_at_infinity(p_, q_, options_.seed))
       return false;
@@ -118,6 +139,10 @@ class Solver {
       throw PrecisionExhausted("no shear could be proven to separate the solutions");
     count_with_multiplicity();
     clock_.finish("exact count");
+    if (options_.matrix == ResultantMatrix::hybrid && !graded_tried_ && options_.engine != Engine::exact)
+      result_.warnings.emplace_back(
+          "the hybrid matrix is for curves that do not meet at infinity, in double precision, without epsilon; the "
+          "bezout matrix was used");
     // Where the graded pencil has been tried, the larger pencil of the paper would hardly find more.
     const bool pencil_wanted = options_.engine == Engine::pencil || !graded_tried_;
     if (options_.engine != Engine::exact && pencil_wanted) solve_by_pencil();
@@ -186,6 +211,8 @@ class Solver {
         if (set_.points().size() == expected_simple()) return;
         const std::size_t eliminated = 1 - hidden;
         if (std::max(p.degree(eliminated), q.degree(eliminated)) < 1) continue;
+        const long limit = precision_bits == 53 ? largest_double_pencil : largest_multiprecision_pencil;
+        if (companion_pencil_size(p, q, hidden, options_.matrix) > limit) continue;
         add_candidates(pencil_candidates(p, q, hidden, precision_bits, options_, context_), hidden, scaling,
                        expected_simple());
         clock_.finish(precision_bits == 53 ? "pencil in double precision"

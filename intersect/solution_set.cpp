@@ -222,9 +222,8 @@ void SolutionSet::enclose(std::size_t index, long target_log2) {
   if (radius_log2(point.box) <= target_log2) return;
   context_.checkpoint("refining");
   if (!point.class_index) {
-    const long scaled_target = target_log2 - std::max(scaling_.x_log2, scaling_.y_log2) - 1;
-    const std::optional<PlaneBall> box =
-        bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(point.box), scaled_target, precision_ceiling);
+    const std::optional<PlaneBall> box = bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(point.box),
+                                                                     scaled_target(target_log2), precision_ceiling);
     if (!box) throw PrecisionExhausted("a simple solution could not be refined");
     store(point, from_scaled(*box), target_log2);
     return;

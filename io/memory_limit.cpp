@@ -5,13 +5,15 @@
 #include <sys/resource.h>
 #endif
 
+#include <eliminant/numeric/lapack.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 
 namespace eliminant::io {
 
-void prepare_exact_arithmetic() {
+void prepare_arithmetic() {
   symbolic::throw_on_exhausted_memory();
   symbolic::install_flint_error_handler();
+  numeric::use_one_blas_thread();
 }
 
 void limit_memory([[maybe_unused]] long megabytes) {

@@ -3,9 +3,9 @@
 
 namespace eliminant::io {
 
-/// Lets FLINT, GMP and MPFR throw instead of ending the process, also when memory is exhausted. For the program, once,
-/// before anything else.
-void prepare_exact_arithmetic();
+/// Lets FLINT, GMP and MPFR throw instead of ending the process, also when memory is exhausted, and keeps OpenBLAS to
+/// one thread. For the program, once, before anything else.
+void prepare_arithmetic();
 
 /// Limits the address space of the process, libraries included; beyond it allocations throw std::bad_alloc. Without
 /// effect where the system has no such limit.

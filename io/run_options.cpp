@@ -61,9 +61,10 @@ constexpr std::array<std::pair<const char*, Format>, 3> formats{
     {{"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}}};
 constexpr std::array<std::pair<const char*, Engine>, 3> engines{
     {{"auto", Engine::automatic}, {"pencil", Engine::pencil}, {"exact", Engine::exact}}};
-constexpr std::array<std::pair<const char*, ResultantMatrix>, 3> matrices{{{"auto", ResultantMatrix::automatic},
+constexpr std::array<std::pair<const char*, ResultantMatrix>, 4> matrices{{{"auto", ResultantMatrix::automatic},
                                                                            {"sylvester", ResultantMatrix::sylvester},
-                                                                           {"bezout", ResultantMatrix::bezout}}};
+                                                                           {"bezout", ResultantMatrix::bezout},
+                                                                           {"hybrid", ResultantMatrix::hybrid}}};
 constexpr std::array<std::pair<const char*, int>, 6> precisions{
     {{"auto", 0}, {"53", 53}, {"128", 128}, {"256", 256}, {"512", 512}, {"1024", 1024}}};
 

@@ -13,3 +13,11 @@ void dgeev_(const char* jobvl, const char* jobvr, const int* n, double* a, const
 /// LU factorisation with partial pivoting.
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
 }
+
+namespace eliminant::numeric {
+
+/// Asks OpenBLAS, where that is the library behind LAPACK, to use the calling thread only: at the sizes met here its
+/// helper threads burn processor time without being faster. A process-wide setting, so it is for programs to call.
+void use_one_blas_thread();
+
+}  // namespace eliminant::numeric

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <eliminant/base/error.hpp>
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
 #include <eliminant/symbolic/matrices/bezout_matrix.hpp>
+#include <eliminant/symbolic/matrices/hybrid_bezout_matrix.hpp>
 #include <eliminant/symbolic/matrices/sylvester_matrix.hpp>
 #include <support/curves.hpp>
 
@@ -135,4 +137,30 @@ TEST_CASE("Change of variables: shear and scaling are exact and inverse to thems
   CHECK(scale_by_powers_of_two(curve("x^2*y + 3"), 2, -5) == curve("x^2*y/2 + 3"));
   CHECK(scale_by_powers_of_two(scale_by_powers_of_two(p, 900, -900), -900, 900) == p);
   CHECK(exchange_variables(curve("x^3 - 2*y")) == curve("y^3 - 2*x"));
+}
+
+TEST_CASE("Hybrid Bezout matrix: its rows are polynomials of the ideal, its determinant the resultant up to sign") {
+  Random random(15);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto m = static_cast<unsigned long>(random.between(1, 5));
+    const auto n = static_cast<unsigned long>(random.between(1, static_cast<long>(m)));
+    const Polynomial p = random_dense(random, m, 9) + power(Polynomial::variable(2, 1), m);
+    const Polynomial q = random_dense(random, n, 9) + power(Polynomial::variable(2, 1), n);
+    const HiddenVariablePolynomial f = hide_variable(p, 0);
+    const HiddenVariablePolynomial g = hide_variable(q, 0);
+    if (f.degree() != static_cast<long>(m) || g.degree() != static_cast<long>(n)) continue;
+    CAPTURE(text(p));
+    CAPTURE(text(q));
+    const PolynomialMatrix hybrid = hybrid_bezout_matrix(f, g, f.degree(), g.degree());
+    REQUIRE(hybrid.rows() == f.degree());
+    for (long row = 0; row < hybrid.rows(); ++row) {
+      const long degree = row < g.degree() ? f.degree() + row : row;
+      for (long j = 0; j < hybrid.columns(); ++j) CHECK(hybrid.entry(row, j).degree() <= std::max(-1L, degree - j));
+    }
+    const UnivariatePolynomial expected = resultant(f, g);
+    const UnivariatePolynomial found = determinant(hybrid);
+    CHECK((found == expected || found == UnivariatePolynomial() - expected));
+  }
+  CHECK_THROWS_AS(hybrid_bezout_matrix(hide_variable(curve("y"), 0), hide_variable(curve("y^2"), 0), 1, 2),
+                  InvalidInput);
 }

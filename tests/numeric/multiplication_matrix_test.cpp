@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <eliminant/numeric/multiplication_matrix.hpp>
+
+using namespace eliminant::numeric;
+using Complex = std::complex<double>;
+
+namespace {
+
+/// The hybrid Bezout matrix of p = x^2 + y^2 - 5 and q = x y - 2 with x hidden, by hand: a_2 = 1, a_1 = 0, b_2 = 0, b_1
+/// = x and formal degrees 2, 2. Row 0 is a_2 q - b_2 p = x y - 2, row 1 is (a_2 y + a_1) q - (b_2 y + b_1) p, that is
+/// y (x y - 2) - x (x^2 + y^2 - 5) = -2 y - x^3 + 5 x.
+MatrixPolynomial<double> circle_and_hyperbola() {
+  MatrixPolynomial<double> matrix;
+  matrix.coefficients.assign(4, Matrix<double>::Zero(2, 2));
+  matrix.coefficients[0](0, 0) = -2;
+  matrix.coefficients[1](0, 1) = 1;
+  matrix.coefficients[0](1, 1) = -2;
+  matrix.coefficients[1](1, 0) = 5;
+  matrix.coefficients[3](1, 0) = -1;
+  return matrix;
+}
+
+}  // namespace
+
+TEST_CASE("Graded pencil: multiplication matrices commute and have the solutions as joint eigenvalues") {
+  BivariatePolynomial<double> p{Matrix<double>::Zero(3, 3)};
+  p.coefficients(2, 0) = p.coefficients(0, 2) = 1;
+  p.coefficients(0, 0) = -5;
+  BivariatePolynomial<double> q{Matrix<double>::Zero(2, 2)};
+  q.coefficients(1, 1) = 1;
+  q.coefficients(0, 0) = -2;
+  const auto matrices = multiplication_matrices<double>(circle_and_hyperbola(), p, q, 2, 2);
+  REQUIRE(matrices.has_value());
+  REQUIRE(matrices->x.rows() == 4);
+  CHECK((matrices->x * matrices->y - matrices->y * matrices->x).norm() < 1e-13);
+  // x^2 + y^2 = 5 and x y = 2 hold for the matrices.
+  CHECK((matrices->x * matrices->x + matrices->y * matrices->y - 5 * Matrix<double>::Identity(4, 4)).norm() < 1e-13);
+  CHECK((matrices->x * matrices->y - 2 * Matrix<double>::Identity(4, 4)).norm() < 1e-13);
+  const std::vector<PlanePoint<double>> points = points_of(*matrices);
+  REQUIRE(points.size() == 4);
+  for (const auto& [x, y] : {std::pair{1.0, 2.0}, {2.0, 1.0}, {-1.0, -2.0}, {-2.0, -1.0}})
+    CHECK(std::count_if(points.begin(), points.end(), [&](const PlanePoint<double>& point) {
+            return std::abs(point.x - x) < 1e-12 && std::abs(point.y - y) < 1e-12;
+          }) == 1);
+}
+
+TEST_CASE("Graded pencil: curves with a common point at infinity have no top coefficients to invert") {
+  // Without y^2 in both and with the leading form x y twice, nothing replaces y^2.
+  BivariatePolynomial<double> p{Matrix<double>::Zero(2, 2)};
+  p.coefficients(1, 1) = 1;
+  p.coefficients(0, 0) = -2;
+  MatrixPolynomial<double> matrix;
+  matrix.coefficients.assign(2, Matrix<double>::Zero(2, 2));
+  matrix.coefficients[0](0, 0) = 1;
+  CHECK_FALSE(multiplication_matrices<double>(matrix, p, p, 2, 2).has_value());
+}
