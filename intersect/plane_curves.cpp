@@ -23,7 +23,7 @@ using symbolic::SolutionProfile;
 
 /// The dense eigenproblems grow with the cube of the columns: beyond these the exact engine is faster and smaller.
 constexpr long largest_double_pencil = 2500;
-constexpr long largest_multiprecision_pencil = 600;
+constexpr long largest_multiprecision_pencil = 500;
 
 /// Beyond this number of solutions no engine answers in reasonable time.
 constexpr unsigned long largest_bezout_number = 20000;
@@ -101,6 +101,11 @@ class Solver {
 
   SolutionSet& set() { return set_; }
 
+  /// The number of distinct solutions, known after run().
+  unsigned long expected_distinct() const {
+    return set_.representation() ? set_.representation()->distinct() : profile_.distinct();
+  }
+
  private:
   Counts& counts() { return result_.counts; }
 
@@ -112,7 +117,7 @@ class Solver {
     const long m = std::max(p_.total_degree(), q_.total_degree());
     const long n = std::min(p_.total_degree(), q_.total_degree());
     if (options_.engine == Engine::exact || !graded_allowed || options_.epsilon ||
-        graded_rows(m, n) > largest_double_pencil * 3 / 2 ||
+        graded_rows(m, n) > std::min(largest_double_pencil * 3 / 2, 4 * m * n + 200) ||
         (options_.precision_bits != 0 && options_.precision_bits != 53) ||
         !symbolic::do_not_meet_at_infinity(p_, q_, options_.seed))
       return false;
@@ -143,18 +148,12 @@ class Solver {
       result_.warnings.emplace_back(
           "the hybrid matrix is for curves that do not meet at infinity, in double precision, without epsilon; the "
           "bezout matrix was used");
-    // Where the graded pencil has been tried, the larger pencil of the paper would hardly find more.
-    const bool pencil_wanted = options_.engine == Engine::pencil || !graded_tried_;
-    if (options_.engine != Engine::exact && pencil_wanted) solve_by_pencil();
+    if (options_.engine != Engine::exact) solve_by_pencil();
     add_exact_classes(set_.points().size() == expected_simple());
   }
 
   static Polynomial scaled(const Polynomial& p, const bridge::PowerOfTwoScaling& scaling) {
     return symbolic::scale_by_powers_of_two(p, scaling.x_log2, scaling.y_log2).primitive_part();
-  }
-
-  unsigned long expected_distinct() const {
-    return set_.representation() ? set_.representation()->distinct() : profile_.distinct();
   }
 
   unsigned long expected_simple() const {
@@ -211,7 +210,9 @@ class Solver {
         if (set_.points().size() == expected_simple()) return;
         const std::size_t eliminated = 1 - hidden;
         if (std::max(p.degree(eliminated), q.degree(eliminated)) < 1) continue;
-        const long limit = precision_bits == 53 ? largest_double_pencil : largest_multiprecision_pencil;
+        // After the graded pencil a large companion pencil would hardly find more.
+        const bool second_chance = graded_tried_ && options_.engine != Engine::pencil;
+        const long limit = precision_bits > 53 || second_chance ? largest_multiprecision_pencil : largest_double_pencil;
         if (companion_pencil_size(p, q, hidden, options_.matrix) > limit) continue;
         add_candidates(pencil_candidates(p, q, hidden, precision_bits, options_, context_), hidden, scaling,
                        expected_simple());
@@ -236,16 +237,17 @@ class Solver {
       if (set_.points().size() == wanted) return;
       acb_mul_2exp_si(candidate.refined.x.get(), candidate.refined.x.get(), scaling.x_log2);
       acb_mul_2exp_si(candidate.refined.y.get(), candidate.refined.y.get(), scaling.y_log2);
-      const long max_precision_bits = std::max(256, 2 * report.precision_bits);
-      const int added = set_.add_simple(candidate.refined, first_radius_log2(), max_precision_bits);
+      const long max_precision_bits = std::max(1024, 2 * report.precision_bits);
+      const int added = set_.add_simple(candidate.refined, first_radius_log2, max_precision_bits);
       if (added == 0) continue;
       const std::size_t first_new = set_.points().size() - static_cast<std::size_t>(added);
       note_error(candidate.approximate, set_.points()[first_new].box, scaling);
     }
   }
 
-  /// Tight enough to print most solutions without enclosing them again.
-  long first_radius_log2() const { return -std::min(bits_for_digits(options_.digits), 200L); }
+  /// Tight enough to print 15 digits of most solutions without enclosing them again. The same for any number of digits,
+  /// which must not decide what is found.
+  static constexpr long first_radius_log2 = -bits_for_digits(15) - 2;
 
   /// Distance of the pencil's answer from the solution just added, relative to max(1, |coordinate|), in the scaled
   /// coordinates in which the pencil worked.
@@ -376,19 +378,25 @@ Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& 
     Solver solver(split.first, split.second, options, context, result, clock);
     proven = solver.run();
     Counts& counts = result.counts;
-    counts.distinct = static_cast<unsigned long>(solver.set().points().size());
+    counts.distinct = solver.expected_distinct();
     for (const EnclosedPoint& point : solver.set().points()) {
       if (point.reality == Reality::real) ++counts.real;
       if (point.reality == Reality::undecided) ++counts.undecided;
     }
+    // What was not found is neither proven real nor proven non-real.
+    counts.undecided += counts.distinct - static_cast<unsigned long>(solver.set().points().size());
     const std::vector<std::size_t> indices = listed_points(solver.set(), problem, options);
     result.solutions = present(solver.set(), indices, options.digits);
     clock.finish("refinement");
   }
   result.counts.listed = static_cast<unsigned long>(result.solutions.size());
   for (Solution& solution : result.solutions) {
-    solution.certified = options.certify;
-    if (!options.certify) solution.reason = "certification was not asked for";
+    // A solution that was not found might lie within the printed radius of one that was.
+    solution.certified = options.certify && proven;
+    if (!options.certify)
+      solution.reason = "certification was not asked for";
+    else if (!proven)
+      solution.reason = "not all solutions were found";
   }
   const Status status = options.certify && proven ? Status::certified : Status::numeric;
   result.status = infinite ? Status::infinite : status;

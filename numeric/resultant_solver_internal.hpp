@@ -42,6 +42,24 @@ std::vector<std::complex<Scalar>> polynomial_roots(const Vector<std::complex<Sca
   return roots;
 }
 
+/// The vectors v with |T(x)^t v| <= tolerance * sum |T_k| |x|^k: measured against the size of the terms, because T(x)
+/// may vanish altogether.
+template <class Scalar>
+Matrix<std::complex<Scalar>> kernel_at(const MatrixPolynomial<Scalar>& t, const std::complex<Scalar>& x,
+                                       const Scalar& tolerance) {
+  Scalar size(0);
+  Scalar power(1);
+  for (const Matrix<Scalar>& coefficient : t.coefficients) {
+    size += Scalar(coefficient.norm()) * power;
+    power *= modulus<Scalar>(x);
+  }
+  const Matrix<std::complex<Scalar>> value = t.evaluate(x).transpose();
+  const Eigen::JacobiSVD<Matrix<std::complex<Scalar>>> svd(value, Eigen::ComputeFullV);
+  long rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()(rank) > tolerance * size) ++rank;
+  return svd.matrixV().rightCols(value.cols() - rank);
+}
+
 /// Below this relative size a singular value counts as zero. With the paper's epsilon it is epsilon. Otherwise: the
 /// eigenvectors of a defective cluster of spread d differ by O(d), those of a semisimple one are independent, and the
 /// square root separates the two; eps^(1/2) stands for the spread that rounding alone may cause.
@@ -94,6 +112,13 @@ ResultantSolution<Scalar> solve_by_resultant(const ResultantProblem<Scalar>& pro
       vectors.col(k) = kernel_vector<Scalar>(companion_vectors.col(cluster[static_cast<std::size_t>(k)]), n);
     const Scalar tolerance = rank_tolerance(problem, spread);
     Matrix<Complex> basis = independent_vectors<Scalar>(vectors, tolerance);
+    if (fibre.multiplicity > 1) {
+      // Departs from the paper: the eigenvectors computed for an eigenvalue that is multiple and semisimple may come
+      // out dependent, and the kernel at the mean of the cluster, which is far more accurate than its members, then is
+      // larger.
+      const Matrix<Complex> direct = kernel_at<Scalar>(problem.matrix, fibre.x, tolerance);
+      if (direct.cols() > basis.cols() && direct.cols() <= fibre.multiplicity) basis = direct;
+    }
     if (basis.cols() >= n) basis = kernel<Scalar>(problem.sylvester.evaluate(fibre.x).transpose(), tolerance);
     fibre.ys = fibre_coordinates<Scalar>(basis);
     if (basis.cols() >= basis.rows()) {

@@ -213,6 +213,31 @@ TEST_CASE("Real solutions only: listed apart from the counts") {
   CHECK(result.status == Status::certified);
 }
 
+TEST_CASE("Incomplete pencil engine: says so, keeps the exact counts, certifies nothing") {
+  Options options;
+  options.engine = Engine::pencil;
+  options.matrix = ResultantMatrix::bezout;
+  options.precision_bits = 53;
+  for (const long digits : {2L, 10L, 15L}) {
+    options.digits = digits;
+    const Result result = solve("(2+x^2+y)^2-1/10^40", "y", options);
+    CHECK(result.counts.distinct == 4);
+    CHECK(result.counts.with_multiplicity == 4);
+    if (result.status == Status::certified) {
+      CHECK(result.solutions.size() == 4);
+      continue;
+    }
+    CHECK(result.status == Status::numeric);
+    CHECK(result.counts.undecided == 4 - result.solutions.size());
+    for (const Solution& s : result.solutions) CHECK_FALSE(s.certified);
+  }
+  CHECK(solve("(2+x^2+y)^2-1/10^40", "y").status == Status::certified);
+}
+
+TEST_CASE("A line and a curve of high degree: no dense matrix of the size of its square") {
+  check_certified("x^150-1", "y-x", {150, 2, 150, 0});
+}
+
 TEST_CASE("No certification: nothing says certified") {
   Options options;
   options.certify = false;
