@@ -13,6 +13,7 @@
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 #include <eliminant/symbolic/elimination/common_component.hpp>
 #include <eliminant/symbolic/elimination/solution_profile.hpp>
+#include <eliminant/symbolic/elimination/squarefree.hpp>
 
 namespace eliminant::intersect {
 
@@ -92,7 +93,7 @@ class Solver {
       throw LimitReached("the curves of degrees " + std::to_string(p_.total_degree()) + " and " +
                          std::to_string(q_.total_degree()) + " may have " + std::to_string(counts().bezout_number) +
                          " intersections; the limit is " + std::to_string(largest_bezout_number));
-    if (!solve_generic()) solve_counted();
+    if (!solve_product() && !solve_generic()) solve_counted();
     set_.decide_reality();
     clock_.finish("certification");
     report_method();
@@ -108,6 +109,29 @@ class Solver {
 
  private:
   Counts& counts() { return result_.counts; }
+
+  /// One curve in x only, the other in y only: the solutions are pairs of roots of univariate polynomials.
+  bool solve_product() {
+    const bool x_then_y = p_.degree(1) == 0 && q_.degree(0) == 0;
+    const bool y_then_x = p_.degree(0) == 0 && q_.degree(1) == 0;
+    const bool nothing_asked = options_.engine != Engine::pencil && options_.matrix == ResultantMatrix::automatic &&
+                               options_.precision_bits == 0 && !options_.epsilon;
+    if ((!x_then_y && !y_then_x) || !nothing_asked) return false;
+    const auto factors = [&](const Polynomial& curve, std::size_t hidden) {
+      return symbolic::squarefree_decomposition(symbolic::hide_variable(curve, hidden).leading_coefficient());
+    };
+    set_.add_product(factors(x_then_y ? p_ : q_, 0), factors(x_then_y ? q_ : p_, 1));
+    profile_.bezout_holds = true;
+    profile_.with_multiplicity = counts().bezout_number;
+    for (const EnclosedPoint& point : set_.points()) {
+      auto& distinct = profile_.distinct_by_multiplicity;
+      distinct.resize(std::max<std::size_t>(distinct.size(), point.multiplicity), 0);
+      ++distinct[point.multiplicity - 1];
+    }
+    counts().with_multiplicity = counts().bezout_number;
+    clock_.finish("roots of both polynomials");
+    return true;
+  }
 
   /// The generic case, which needs no elimination: nothing at infinity, and as many simple solutions proven as Bezout's
   /// number. False when that was not tried or did not come out; what was found is kept.
@@ -292,11 +316,12 @@ class Solver {
   }
 
   void report_method() {
-    const bool from_pencil = std::any_of(set_.points().begin(), set_.points().end(),
-                                         [](const EnclosedPoint& point) { return !point.class_index; });
+    const bool from_pencil = std::any_of(set_.points().begin(), set_.points().end(), [](const EnclosedPoint& point) {
+      return !point.class_index && !point.product;
+    });
     const bool from_representation =
         std::any_of(set_.points().begin(), set_.points().end(),
-                    [](const EnclosedPoint& point) { return point.class_index.has_value(); });
+                    [](const EnclosedPoint& point) { return point.class_index || point.product; });
     result_.engine.method = from_pencil && from_representation ? "pencil+exact"
                             : from_pencil                      ? "pencil"
                             : from_representation              ? "exact"

@@ -152,48 +152,80 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
 }
 
 void SolutionSet::set_representation(symbolic::UnivariateRepresentation representation) {
-  class_roots_.assign(representation.classes.size(), {});
-  class_bits_.assign(representation.classes.size(), 0);
+  classes_.clear();
+  for (const symbolic::SquarefreeFactor& part : representation.classes) classes_.push_back({part.factor, {}, 0});
   representation_ = std::move(representation);
 }
 
-void SolutionSet::refine_class(std::size_t class_index, long relative_bits) {
-  if (class_bits_[class_index] >= relative_bits) return;
-  std::vector<ComplexBall>& roots = class_roots_[class_index];
+void SolutionSet::refine(RootClass& root_class, long relative_bits) const {
+  if (root_class.relative_bits >= relative_bits) return;
   std::vector<ComplexBall> refined =
-      bridge::enclose_roots(representation_->classes[class_index].factor, roots, relative_bits, context_);
-  if (class_bits_[class_index] > 0) {
+      bridge::enclose_roots(root_class.factor, root_class.roots, relative_bits, context_);
+  if (root_class.relative_bits > 0) {
     // Each root stays at its index: the old balls isolate, so exactly one new ball meets each of them.
-    for (ComplexBall& root : roots) {
+    for (ComplexBall& root : root_class.roots) {
       const auto match = std::find_if(refined.begin(), refined.end(), [&](const ComplexBall& candidate) {
         return acb_overlaps(candidate.get(), root.get()) != 0;
       });
       root = *match;
     }
   } else {
-    roots = std::move(refined);
+    root_class.roots = std::move(refined);
   }
-  class_bits_[class_index] = relative_bits;
+  root_class.relative_bits = relative_bits;
 }
 
 void SolutionSet::add_class(std::size_t class_index, const std::vector<ComplexBall>& approximations) {
   const symbolic::SquarefreeFactor& part = representation_->classes[class_index];
-  class_roots_[class_index] = approximations;
-  class_bits_[class_index] = 0;
+  RootClass& root_class = classes_[class_index];
+  root_class.roots = approximations;
+  root_class.relative_bits = 0;
   constexpr long first_bits = 64;
-  refine_class(class_index, first_bits);
-  for (std::size_t root = 0; root < class_roots_[class_index].size(); ++root) {
+  refine(root_class, first_bits);
+  for (std::size_t root = 0; root < root_class.roots.size(); ++root) {
     EnclosedPoint point;
     point.multiplicity = part.multiplicity;
     point.class_index = class_index;
     point.root_index = root;
     // The shear is rational and separates conjugate points: a solution is real exactly when its t is.
-    point.reality = arb_is_zero(class_roots_[class_index][root].imaginary()) ? Reality::real : Reality::non_real;
+    point.reality = arb_is_zero(root_class.roots[root].imaginary()) ? Reality::real : Reality::non_real;
     acb_indeterminate(point.box.x.get());
     acb_indeterminate(point.box.y.get());
     points_.push_back(std::move(point));
     enclose(points_.size() - 1, -first_bits);
   }
+}
+
+void SolutionSet::add_product(const std::vector<symbolic::SquarefreeFactor>& x_factors,
+                              const std::vector<symbolic::SquarefreeFactor>& y_factors) {
+  constexpr long first_bits = 80;
+  for (const auto& part : x_factors) refine(x_classes_.emplace_back(RootClass{part.factor, {}, 0}), first_bits);
+  for (const auto& part : y_factors) refine(y_classes_.emplace_back(RootClass{part.factor, {}, 0}), first_bits);
+  for (std::size_t i = 0; i < x_factors.size(); ++i)
+    for (std::size_t j = 0; j < y_factors.size(); ++j)
+      for (std::size_t k = 0; k < x_classes_[i].roots.size(); ++k)
+        for (std::size_t l = 0; l < y_classes_[j].roots.size(); ++l) {
+          EnclosedPoint point;
+          point.multiplicity = x_factors[i].multiplicity * y_factors[j].multiplicity;
+          point.product = EnclosedPoint::ProductRoots{i, k, j, l};
+          point.box = {x_classes_[i].roots[k], y_classes_[j].roots[l]};
+          // A root that is not real has a non-zero imaginary part in its ball, and a real one an exact zero.
+          const bool real = acb_is_real(point.box.x.get()) != 0 && acb_is_real(point.box.y.get()) != 0;
+          point.reality = real ? Reality::real : Reality::non_real;
+          points_.push_back(std::move(point));
+        }
+}
+
+bool SolutionSet::enclose_product(EnclosedPoint& point, long target_log2) {
+  const EnclosedPoint::ProductRoots roots = *point.product;
+  for (long bits = std::max(64L, -target_log2 + 32); bits <= precision_ceiling; bits *= 2) {
+    refine(x_classes_[roots.x_factor], bits);
+    refine(y_classes_[roots.y_factor], bits);
+    store(point, {x_classes_[roots.x_factor].roots[roots.x_root], y_classes_[roots.y_factor].roots[roots.y_root]},
+          target_log2);
+    if (radius_log2(point.box) <= target_log2) return true;
+  }
+  return false;
 }
 
 void SolutionSet::decide_reality() {
@@ -221,6 +253,10 @@ void SolutionSet::enclose(std::size_t index, long target_log2) {
   EnclosedPoint& point = points_[index];
   if (radius_log2(point.box) <= target_log2) return;
   context_.checkpoint("refining");
+  if (point.product) {
+    if (!enclose_product(point, target_log2)) throw PrecisionExhausted("a solution could not be refined");
+    return;
+  }
   if (!point.class_index) {
     const std::optional<PlaneBall> box = bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(point.box),
                                                                      scaled_target(target_log2), precision_ceiling);
@@ -229,9 +265,10 @@ void SolutionSet::enclose(std::size_t index, long target_log2) {
     return;
   }
   for (long bits = std::max(64L, -target_log2 + 32); bits <= precision_ceiling; bits *= 2) {
-    refine_class(*point.class_index, bits);
-    const std::optional<PlaneBall> box = bridge::point_above(
-        *representation_, point.multiplicity, class_roots_[*point.class_index][point.root_index], bits + 64);
+    RootClass& root_class = classes_[*point.class_index];
+    refine(root_class, bits);
+    const std::optional<PlaneBall> box =
+        bridge::point_above(*representation_, point.multiplicity, root_class.roots[point.root_index], bits + 64);
     if (!box) continue;
     store(point, *box, target_log2);
     if (radius_log2(point.box) <= target_log2) return;

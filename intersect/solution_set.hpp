@@ -19,9 +19,15 @@ struct EnclosedPoint {
   bridge::PlaneBall box;
   unsigned long multiplicity = 1;
   Reality reality = Reality::undecided;
-  /// Where it came from: a class of the representation and a root of its factor, or the Krawczyk test (both unset).
+  /// Where it came from; the Krawczyk test where both are unset.
+  /// A class of the representation and a root of its factor.
   std::optional<std::size_t> class_index;
   std::size_t root_index = 0;
+  /// For curves p(x) = 0 and q(y) = 0: for each coordinate a factor and one of its roots.
+  struct ProductRoots {
+    std::size_t x_factor, x_root, y_factor, y_root;
+  };
+  std::optional<ProductRoots> product;
   /// Coordinates that are known to be rational numbers.
   std::optional<symbolic::Rational> exact_x;
   std::optional<symbolic::Rational> exact_y;
@@ -50,6 +56,11 @@ class SolutionSet {
   /// Adds all points of one class of the representation; `approximations` may be empty (see enclose_roots).
   void add_class(std::size_t class_index, const std::vector<bridge::ComplexBall>& approximations);
 
+  /// Adds all points of p(x) = q(y) = 0: pairs of roots; multiplicities multiply, the local ring being a tensor
+  /// product.
+  void add_product(const std::vector<symbolic::SquarefreeFactor>& x_factors,
+                   const std::vector<symbolic::SquarefreeFactor>& y_factors);
+
   /// Decides for every point whether it is real. p and q are real, so this always ends.
   void decide_reality();
 
@@ -65,7 +76,14 @@ class SolutionSet {
   long scaled_target(long radius_log2) const;
   bridge::PlaneBall to_scaled(const bridge::PlaneBall& point) const;
   bridge::PlaneBall from_scaled(const bridge::PlaneBall& point) const;
-  void refine_class(std::size_t class_index, long relative_bits);
+  /// The roots of a squarefree polynomial, each at a fixed index, with the relative accuracy reached so far.
+  struct RootClass {
+    symbolic::UnivariatePolynomial factor;
+    std::vector<bridge::ComplexBall> roots;
+    long relative_bits = 0;
+  };
+  void refine(RootClass& root_class, long relative_bits) const;
+  bool enclose_product(EnclosedPoint& point, long radius_log2);
   void store(EnclosedPoint& point, bridge::PlaneBall box, long target_log2) const;
 
   symbolic::Polynomial p_;
@@ -78,8 +96,9 @@ class SolutionSet {
   const Context& context_;
   std::vector<EnclosedPoint> points_;
   std::optional<symbolic::UnivariateRepresentation> representation_;
-  std::vector<std::vector<bridge::ComplexBall>> class_roots_;
-  std::vector<long> class_bits_;
+  std::vector<RootClass> classes_;    // of the representation
+  std::vector<RootClass> x_classes_;  // of a product
+  std::vector<RootClass> y_classes_;
 };
 
 /// An upper bound of log2 of the largest radius of a part of the coordinates.

@@ -107,6 +107,15 @@ TEST_CASE("Solutions at infinity: counted with their multiplicity there") {
 TEST_CASE("Grids: solutions above one another are all found") {
   check_certified("(x-1)*(x-2)*(x-3)*(x-4)", "(y-1)*(y-2)*(y-3)*(y-4)*(y-5)", {20, 20, 20, 0});
   check_certified("(x-1)*(x-2)*(x+y-7)", "(y-1)*(y-2)*(y-5)", {8, 8, 9, 0});
+  // Wilkinson's polynomial in both variables.
+  const std::string wilkinson = "(t-1)*(t-2)*(t-3)*(t-4)*(t-5)*(t-6)*(t-7)*(t-8)*(t-9)*(t-10)";
+  std::string in_x = wilkinson;
+  std::string in_y = wilkinson;
+  std::replace(in_x.begin(), in_x.end(), 't', 'x');
+  std::replace(in_y.begin(), in_y.end(), 't', 'y');
+  check_certified(in_x.c_str(), in_y.c_str(), {100, 100, 100, 0});
+  check_certified("x^30", "(y^2-2)^20", {2, 2, 1200, 0});
+  check_certified("y^3-2", "(x-1)^2*(x^2+1)", {9, 1, 12, 0});
   // Chebyshev polynomials T_6(x), T_6(y).
   check_certified("32*x^6-48*x^4+18*x^2-1", "32*y^6-48*y^4+18*y^2-1", {36, 36, 36, 0});
 }
