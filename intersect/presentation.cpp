@@ -112,9 +112,10 @@ std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& 
   for (std::size_t axis = 0; axis < 2; ++axis) {
     bool suspicious = false;
     for (const std::size_t index : indices) {
-      const bridge::PlaneBall& box = set.points()[index].box;
-      const ComplexBall& coordinate = axis == 0 ? box.x : box.y;
-      suspicious = suspicious || (acb_contains_zero(coordinate.get()) && !is_exactly_zero(coordinate));
+      const EnclosedPoint& point = set.points()[index];
+      const ComplexBall& coordinate = axis == 0 ? point.box.x : point.box.y;
+      const bool known = (axis == 0 ? point.exact_x : point.exact_y).has_value();
+      suspicious = suspicious || (acb_contains_zero(coordinate.get()) && !known);
     }
     if (suspicious) set.find_exact_coordinate(axis, Rational(0));
   }

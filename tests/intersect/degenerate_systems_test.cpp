@@ -213,6 +213,18 @@ TEST_CASE("Digits: every printed digit is right at 2, 15, 50 and 500 digits") {
   }
 }
 
+TEST_CASE("Digits: a coordinate that is zero stays so at any precision and with either matrix") {
+  for (const ResultantMatrix matrix : {ResultantMatrix::automatic, ResultantMatrix::sylvester, ResultantMatrix::bezout})
+    for (const long digits : {15L, 40L, 200L}) {
+      Options options;
+      options.matrix = matrix;
+      options.digits = digits;
+      const Result result = solve("y", "1-x*y^3+x^4", options);
+      REQUIRE(result.solutions.size() == 4);
+      for (const Solution& s : result.solutions) CHECK(s.y.real == "0");
+    }
+}
+
 TEST_CASE("Real solutions only: listed apart from the counts") {
   Options options;
   options.field = Field::real;
