@@ -6,7 +6,7 @@
 set -euo pipefail
 
 wanted=(
-  g++ cmake ninja-build
+  g++ cmake ninja-build perl
   libflint-dev libgmp-dev libmpfr-dev libopenblas-pthread-dev libeigen3-dev libboost-dev
   nlohmann-json3-dev libfmt-dev libcli11-dev doctest-dev libbenchmark-dev
   "$@"

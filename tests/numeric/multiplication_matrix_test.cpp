@@ -40,9 +40,9 @@ TEST_CASE("Graded pencil: multiplication matrices commute and have the solutions
   CHECK((matrices->x * matrices->y - 2 * Matrix<double>::Identity(4, 4)).norm() < 1e-13);
   const std::vector<PlanePoint<double>> points = points_of(*matrices);
   REQUIRE(points.size() == 4);
-  for (const auto& [x, y] : {std::pair{1.0, 2.0}, {2.0, 1.0}, {-1.0, -2.0}, {-2.0, -1.0}})
+  for (const auto& expected : {std::pair{1.0, 2.0}, {2.0, 1.0}, {-1.0, -2.0}, {-2.0, -1.0}})
     CHECK(std::count_if(points.begin(), points.end(), [&](const PlanePoint<double>& point) {
-            return std::abs(point.x - x) < 1e-12 && std::abs(point.y - y) < 1e-12;
+            return std::abs(point.x - expected.first) < 1e-12 && std::abs(point.y - expected.second) < 1e-12;
           }) == 1);
 }
 
