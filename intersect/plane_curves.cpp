@@ -312,7 +312,7 @@ class Solver {
     const auto& classes = set_.representation()->classes;
     const bool simple_too = !pencil_complete && options_.engine != Engine::pencil;
     for (std::size_t k = 0; k < classes.size(); ++k)
-      if (classes[k].multiplicity > 1 || simple_too) set_.add_class(k, {});
+      if (classes[k].multiplicity > 1 || simple_too) set_.add_class(k);
   }
 
   void report_method() {

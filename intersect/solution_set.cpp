@@ -3,7 +3,6 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/representation_points.hpp>
-#include <eliminant/bridge/root_enclosure.hpp>
 #include <eliminant/intersect/solution_set.hpp>
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 #include <eliminant/symbolic/elimination/squarefree.hpp>
@@ -153,62 +152,49 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
 
 void SolutionSet::set_representation(symbolic::UnivariateRepresentation representation) {
   classes_.clear();
-  for (const symbolic::SquarefreeFactor& part : representation.classes) classes_.push_back({part.factor, {}, 0});
+  classes_.resize(representation.classes.size());
   representation_ = std::move(representation);
 }
 
-void SolutionSet::refine(RootClass& root_class, long relative_bits) const {
-  if (root_class.relative_bits >= relative_bits) return;
-  std::vector<ComplexBall> refined =
-      bridge::enclose_roots(root_class.factor, root_class.roots, relative_bits, context_);
-  if (root_class.relative_bits > 0) {
-    // Each root stays at its index: the old balls isolate, so exactly one new ball meets each of them.
-    for (ComplexBall& root : root_class.roots) {
-      const auto match = std::find_if(refined.begin(), refined.end(), [&](const ComplexBall& candidate) {
-        return acb_overlaps(candidate.get(), root.get()) != 0;
-      });
-      root = *match;
-    }
-  } else {
-    root_class.roots = std::move(refined);
-  }
-  root_class.relative_bits = relative_bits;
-}
-
-void SolutionSet::add_class(std::size_t class_index, const std::vector<ComplexBall>& approximations) {
+void SolutionSet::add_class(std::size_t class_index) {
   const symbolic::SquarefreeFactor& part = representation_->classes[class_index];
-  RootClass& root_class = classes_[class_index];
-  root_class.roots = approximations;
-  root_class.relative_bits = 0;
-  constexpr long first_bits = 64;
-  refine(root_class, first_bits);
-  for (std::size_t root = 0; root < root_class.roots.size(); ++root) {
+  bridge::IsolatedRoots& roots = classes_[class_index];
+  roots = bridge::IsolatedRoots(part.factor, context_);
+  constexpr long first_radius_log2 = -64;
+  for (std::size_t root = 0; root < roots.balls().size(); ++root) {
     EnclosedPoint point;
     point.multiplicity = part.multiplicity;
     point.class_index = class_index;
     point.root_index = root;
     // The shear is rational and separates conjugate points: a solution is real exactly when its t is.
-    point.reality = arb_is_zero(root_class.roots[root].imaginary()) ? Reality::real : Reality::non_real;
+    point.reality = arb_is_zero(roots.balls()[root].imaginary()) ? Reality::real : Reality::non_real;
     acb_indeterminate(point.box.x.get());
     acb_indeterminate(point.box.y.get());
     points_.push_back(std::move(point));
-    enclose(points_.size() - 1, -first_bits);
+    enclose(points_.size() - 1, first_radius_log2);
   }
 }
 
 void SolutionSet::add_product(const std::vector<symbolic::SquarefreeFactor>& x_factors,
                               const std::vector<symbolic::SquarefreeFactor>& y_factors) {
   constexpr long first_bits = 80;
-  for (const auto& part : x_factors) refine(x_classes_.emplace_back(RootClass{part.factor, {}, 0}), first_bits);
-  for (const auto& part : y_factors) refine(y_classes_.emplace_back(RootClass{part.factor, {}, 0}), first_bits);
+  const auto isolate = [&](const std::vector<symbolic::SquarefreeFactor>& factors,
+                           std::vector<bridge::IsolatedRoots>& classes) {
+    for (const symbolic::SquarefreeFactor& part : factors) {
+      bridge::IsolatedRoots& roots = classes.emplace_back(part.factor, context_);
+      for (std::size_t i = 0; i < roots.balls().size(); ++i) roots.refine(i, first_bits, context_);
+    }
+  };
+  isolate(x_factors, x_classes_);
+  isolate(y_factors, y_classes_);
   for (std::size_t i = 0; i < x_factors.size(); ++i)
     for (std::size_t j = 0; j < y_factors.size(); ++j)
-      for (std::size_t k = 0; k < x_classes_[i].roots.size(); ++k)
-        for (std::size_t l = 0; l < y_classes_[j].roots.size(); ++l) {
+      for (std::size_t k = 0; k < x_classes_[i].balls().size(); ++k)
+        for (std::size_t l = 0; l < y_classes_[j].balls().size(); ++l) {
           EnclosedPoint point;
           point.multiplicity = x_factors[i].multiplicity * y_factors[j].multiplicity;
           point.product = EnclosedPoint::ProductRoots{i, k, j, l};
-          point.box = {x_classes_[i].roots[k], y_classes_[j].roots[l]};
+          point.box = {x_classes_[i].balls()[k], y_classes_[j].balls()[l]};
           // A root that is not real has a non-zero imaginary part in its ball, and a real one an exact zero.
           const bool real = acb_is_real(point.box.x.get()) != 0 && acb_is_real(point.box.y.get()) != 0;
           point.reality = real ? Reality::real : Reality::non_real;
@@ -219,10 +205,11 @@ void SolutionSet::add_product(const std::vector<symbolic::SquarefreeFactor>& x_f
 bool SolutionSet::enclose_product(EnclosedPoint& point, long target_log2) {
   const EnclosedPoint::ProductRoots roots = *point.product;
   for (long bits = std::max(64L, -target_log2 + 32); bits <= precision_ceiling; bits *= 2) {
-    refine(x_classes_[roots.x_factor], bits);
-    refine(y_classes_[roots.y_factor], bits);
-    store(point, {x_classes_[roots.x_factor].roots[roots.x_root], y_classes_[roots.y_factor].roots[roots.y_root]},
-          target_log2);
+    bridge::IsolatedRoots& x_roots = x_classes_[roots.x_factor];
+    bridge::IsolatedRoots& y_roots = y_classes_[roots.y_factor];
+    x_roots.refine(roots.x_root, bits, context_);
+    y_roots.refine(roots.y_root, bits, context_);
+    store(point, {x_roots.balls()[roots.x_root], y_roots.balls()[roots.y_root]}, target_log2);
     if (radius_log2(point.box) <= target_log2) return true;
   }
   return false;
@@ -265,10 +252,10 @@ void SolutionSet::enclose(std::size_t index, long target_log2) {
     return;
   }
   for (long bits = std::max(64L, -target_log2 + 32); bits <= precision_ceiling; bits *= 2) {
-    RootClass& root_class = classes_[*point.class_index];
-    refine(root_class, bits);
+    bridge::IsolatedRoots& roots = classes_[*point.class_index];
+    roots.refine(point.root_index, bits, context_);
     const std::optional<PlaneBall> box =
-        bridge::point_above(*representation_, point.multiplicity, root_class.roots[point.root_index], bits + 64);
+        bridge::point_above(*representation_, point.multiplicity, roots.balls()[point.root_index], bits + 64);
     if (!box) continue;
     store(point, *box, target_log2);
     if (radius_log2(point.box) <= target_log2) return;
@@ -285,7 +272,7 @@ void SolutionSet::find_exact_coordinate(std::size_t axis, const symbolic::Ration
   for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(line)) {
     for (long bits = 64;; bits *= 2) {
       if (bits > precision_ceiling) throw PrecisionExhausted("the solutions on a line could not be told apart");
-      const std::vector<ComplexBall> others = bridge::enclose_roots(part.factor, {}, bits, context_);
+      const std::vector<ComplexBall> others = bridge::enclose_roots(part.factor, bits, context_);
       // Every (value, root) is a solution; it is the one point whose box it may lie in.
       std::vector<std::size_t> matches;
       bool ambiguous = false;

@@ -7,6 +7,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/disc_certificate.hpp>
+#include <eliminant/bridge/isolated_roots.hpp>
 #include <eliminant/bridge/krawczyk_test.hpp>
 #include <eliminant/bridge/power_of_two_scaling.hpp>
 #include <eliminant/intersect/result.hpp>
@@ -53,8 +54,8 @@ class SolutionSet {
   void set_representation(symbolic::UnivariateRepresentation representation);
   const std::optional<symbolic::UnivariateRepresentation>& representation() const { return representation_; }
 
-  /// Adds all points of one class of the representation; `approximations` may be empty (see enclose_roots).
-  void add_class(std::size_t class_index, const std::vector<bridge::ComplexBall>& approximations);
+  /// Adds all points of one class of the representation.
+  void add_class(std::size_t class_index);
 
   /// Adds all points of p(x) = q(y) = 0: pairs of roots; multiplicities multiply, the local ring being a tensor
   /// product.
@@ -76,13 +77,6 @@ class SolutionSet {
   long scaled_target(long radius_log2) const;
   bridge::PlaneBall to_scaled(const bridge::PlaneBall& point) const;
   bridge::PlaneBall from_scaled(const bridge::PlaneBall& point) const;
-  /// The roots of a squarefree polynomial, each at a fixed index, with the relative accuracy reached so far.
-  struct RootClass {
-    symbolic::UnivariatePolynomial factor;
-    std::vector<bridge::ComplexBall> roots;
-    long relative_bits = 0;
-  };
-  void refine(RootClass& root_class, long relative_bits) const;
   bool enclose_product(EnclosedPoint& point, long radius_log2);
   void store(EnclosedPoint& point, bridge::PlaneBall box, long target_log2) const;
 
@@ -96,9 +90,9 @@ class SolutionSet {
   const Context& context_;
   std::vector<EnclosedPoint> points_;
   std::optional<symbolic::UnivariateRepresentation> representation_;
-  std::vector<RootClass> classes_;    // of the representation
-  std::vector<RootClass> x_classes_;  // of a product
-  std::vector<RootClass> y_classes_;
+  std::vector<bridge::IsolatedRoots> classes_;    // of the representation
+  std::vector<bridge::IsolatedRoots> x_classes_;  // of a product
+  std::vector<bridge::IsolatedRoots> y_classes_;
 };
 
 /// An upper bound of log2 of the largest radius of a part of the coordinates.

@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <eliminant/bridge/decimal.hpp>
+#include <eliminant/bridge/isolated_roots.hpp>
 #include <eliminant/bridge/krawczyk_test.hpp>
 #include <eliminant/bridge/power_of_two_scaling.hpp>
-#include <eliminant/bridge/root_enclosure.hpp>
 #include <eliminant/bridge/round_matrix.hpp>
 #include <eliminant/symbolic/matrices/bezout_matrix.hpp>
 #include <support/curves.hpp>
@@ -136,7 +136,7 @@ TEST_CASE("Root enclosure: all roots, isolated, real ones exactly real, zero exa
       UnivariatePolynomial({Integer(1), Integer(0), Integer(1)}) *
       UnivariatePolynomial({-symbolic::power(Integer(10), 20), Integer(3)});
   for (const long bits : {30L, 300L, 3000L}) {
-    const auto roots = enclose_roots(p, {}, bits, context);
+    const auto roots = enclose_roots(p, bits, context);
     REQUIRE(roots.size() == 6);
     int real = 0;
     int zero = 0;
@@ -152,14 +152,50 @@ TEST_CASE("Root enclosure: all roots, isolated, real ones exactly real, zero exa
   }
 }
 
-TEST_CASE("Root enclosure: wrong or missing starting values change nothing") {
-  const UnivariatePolynomial p({Integer(-6), Integer(11), Integer(-6), Integer(1)});  // (t-1)(t-2)(t-3)
-  for (const auto& start : {std::vector<ComplexBall>{}, std::vector<ComplexBall>{{5, 1}, {5, 1}, {5, 1}},
-                            std::vector<ComplexBall>{{100, 0}, {-3, 2}, {0.5, 0.5}}}) {
-    const auto roots = enclose_roots(p, start, 64, context);
-    REQUIRE(roots.size() == 3);
-    for (long k = 0; k < 3; ++k) CHECK(contains(roots[static_cast<std::size_t>(k)], k + 1));
-  }
+TEST_CASE("Root enclosure: roots of very different sizes and very close ones") {
+  const auto monic = [](const Integer& numerator, const Integer& denominator) {
+    return UnivariatePolynomial({-numerator, denominator});
+  };
+  const Integer far = symbolic::power(Integer(10), 3000);
+  // Roots 10^3000, 10^-3000, 1, 1 + 10^-3000, 1 + 2 10^-3000, and the two of (10^400 t)^2 + 1.
+  UnivariatePolynomial p = monic(far, Integer(1)) * monic(Integer(1), far) * monic(Integer(1), Integer(1)) *
+                           monic(far + Integer(1), far) * monic(far + Integer(2), far) *
+                           UnivariatePolynomial({Integer(1), Integer(0), symbolic::power(Integer(10), 800)});
+  const auto roots = enclose_roots(p, 100, context);
+  REQUIRE(roots.size() == 7);
+  const std::vector<Rational> real{Rational(Integer(1), far), Rational(1), Rational(far + Integer(1), far),
+                                   Rational(far + Integer(2), far), Rational(far)};
+  for (const Rational& value : real)
+    CHECK(std::count_if(roots.begin(), roots.end(), [&](const ComplexBall& root) {
+            return arb_is_zero(root.imaginary()) != 0 && arb_contains_fmpq(root.real(), value.get()) != 0;
+          }) == 1);
+  CHECK(std::count_if(roots.begin(), roots.end(),
+                      [](const ComplexBall& root) { return arb_is_zero(root.imaginary()) == 0; }) == 2);
+}
+
+TEST_CASE("Root enclosure: Wilkinson's polynomial, x^n - 1, Mignotte's cluster") {
+  UnivariatePolynomial wilkinson({Integer(1)});
+  for (long k = 1; k <= 60; ++k) wilkinson = wilkinson * UnivariatePolynomial({Integer(-k), Integer(1)});
+  const auto roots = enclose_roots(wilkinson, 64, context);
+  REQUIRE(roots.size() == 60);
+  for (long k = 0; k < 60; ++k) CHECK(contains(roots[static_cast<std::size_t>(k)], k + 1));
+
+  UnivariatePolynomial unity;
+  fmpz_poly_set_coeff_si(unity.get(), 300, 1);
+  fmpz_poly_set_coeff_si(unity.get(), 0, -1);
+  const auto circle = enclose_roots(unity, 64, context);
+  REQUIRE(circle.size() == 300);
+  CHECK(std::count_if(circle.begin(), circle.end(),
+                      [](const ComplexBall& root) { return arb_is_zero(root.imaginary()) != 0; }) == 2);
+
+  // t^30 - 2 (10^20 t - 1)^2: two real roots about 10^-320 apart.
+  const UnivariatePolynomial line({Integer(-1), symbolic::power(Integer(10), 20)});
+  UnivariatePolynomial mignotte = UnivariatePolynomial({Integer(-2)}) * line * line;
+  fmpz_poly_set_coeff_si(mignotte.get(), 30, 1);
+  const auto close = enclose_roots(mignotte, 64, context);
+  REQUIRE(close.size() == 30);
+  CHECK(std::count_if(close.begin(), close.end(),
+                      [](const ComplexBall& root) { return arb_is_zero(root.imaginary()) != 0; }) == 4);
 }
 
 TEST_CASE("Decimals: rounding is to nearest, half to even, and printing loses nothing") {

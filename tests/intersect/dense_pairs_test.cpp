@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include <eliminant/bridge/root_enclosure.hpp>
+#include <eliminant/bridge/isolated_roots.hpp>
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
 #include <support/plane_curves.hpp>
@@ -60,7 +60,7 @@ TEST_CASE("Dense random pairs of degree 3 to 12: d^2 distinct solutions, one abo
     const auto resultant =
         symbolic::resultant(symbolic::hide_variable(input.p, 0), symbolic::hide_variable(input.q, 0));
     const Context context;
-    const auto roots = bridge::enclose_roots(resultant, {}, 80, context);
+    const auto roots = bridge::enclose_roots(resultant, 80, context);
     REQUIRE(roots.size() == result.solutions.size());
     for (const auto& root : roots)
       CHECK(std::count_if(result.solutions.begin(), result.solutions.end(),
