@@ -18,18 +18,31 @@ struct BallJet {
   ComplexBall value, dx, dy;
 };
 
+/// Enclosures of the partial derivatives of a polynomial on a box.
+struct BallSlopes {
+  ComplexBall dx, dy;
+};
+
 /// A bivariate polynomial with rational coefficients, to be evaluated in ball arithmetic.
 class BallCurve {
  public:
   explicit BallCurve(const symbolic::Polynomial& p);
 
-  /// Encloses p, p_x, p_y on all of `point`; Horner's rule in x inside Horner's rule in y.
+  /// Encloses p, p_x, p_y on all of `point`, best for points without radius: a rectangle grows in each step of Horner's
+  /// rule.
   BallJet jet(const PlaneBall& point, long precision_bits) const;
   /// Encloses p only.
   ComplexBall value(const PlaneBall& point, long precision_bits) const;
+  /// Encloses p_x and p_y on a box by the mean value theorem: the slopes in its midpoint, with the second derivatives
+  /// of the polynomial of absolute coefficients at (|x|, |y|) times the distance as their error.
+  BallSlopes slopes_on(const PlaneBall& box, long precision_bits) const;
 
  private:
-  std::vector<symbolic::UnivariatePolynomial> by_y_;  // p times a common denominator: no effect on its zeros
+  // p times a common denominator, by powers of the outer variable: no effect on the zeros. The inner variable is the
+  // one of higher degree, whose polynomials have an evaluation that loses few digits.
+  bool outer_is_y_ = true;
+  std::vector<symbolic::UnivariatePolynomial> rows_;
+  std::vector<symbolic::UnivariatePolynomial> row_derivatives_;
 };
 
 }  // namespace eliminant::bridge

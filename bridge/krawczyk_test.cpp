@@ -143,8 +143,8 @@ std::optional<PlaneBall> krawczyk_test(const BallCurve& p, const BallCurve& q, c
   const std::optional<BallMatrix> inverse = approximate_inverse(p_at_m, q_at_m, precision_bits);
   if (!inverse) return std::nullopt;
   const BallMatrix& c = *inverse;
-  const BallJet p_on_box = p.jet(box, precision_bits);
-  const BallJet q_on_box = q.jet(box, precision_bits);
+  const BallSlopes p_on_box = p.slopes_on(box, precision_bits);
+  const BallSlopes q_on_box = q.slopes_on(box, precision_bits);
   // E = I - C J(X).
   BallMatrix e{inner_product(c.a, p_on_box.dx, c.b, q_on_box.dx, precision_bits),
                inner_product(c.a, p_on_box.dy, c.b, q_on_box.dy, precision_bits),

@@ -150,6 +150,9 @@ class Solver {
     const Polynomial q = scaled(q_, scaling);
     graded_tried_ = true;
     add_candidates(graded_pencil_candidates(p, q, context_), 0, scaling, counts().bezout_number);
+    // Where more are missing, multiple solutions are the likely reason: the exact count will tell.
+    const unsigned long missing = counts().bezout_number - set_.points().size();
+    if (missing <= 4 + counts().bezout_number / 16) add_in_ball_arithmetic(counts().bezout_number);
     clock_.finish("graded pencil");
     if (set_.points().size() < counts().bezout_number) return false;
     profile_.bezout_holds = true;
@@ -228,6 +231,7 @@ class Solver {
     const Polynomial p = scaled(p_, scaling);
     const Polynomial q = scaled(q_, scaling);
     const std::size_t first = smaller_pencil_variable(p, q, options_.matrix);
+    add_in_ball_arithmetic(expected_simple());
     for (const int precision_bits : ladder) {
       // The other orientation is a second, independent chance.
       for (const std::size_t hidden : {first, 1 - first}) {
@@ -240,13 +244,15 @@ class Solver {
         if (companion_pencil_size(p, q, hidden, options_.matrix) > limit) continue;
         add_candidates(pencil_candidates(p, q, hidden, precision_bits, options_, context_), hidden, scaling,
                        expected_simple());
+        add_in_ball_arithmetic(expected_simple());
         clock_.finish(precision_bits == 53 ? "pencil in double precision"
                                            : "pencil at " + std::to_string(precision_bits) + " bits");
       }
     }
   }
 
-  /// Proves what it can of the candidates, until there are as many points as `wanted`.
+  /// Proves what doubles can prove of the candidates, until there are as many points as `wanted`; the others wait for
+  /// add_in_ball_arithmetic.
   void add_candidates(PencilCandidates found, std::size_t hidden, const bridge::PowerOfTwoScaling& scaling,
                       unsigned long wanted) {
     EngineReport& report = result_.engine;
@@ -257,31 +263,54 @@ class Solver {
     report.pencil_size = found.report.pencil_size;
     report.regular_size = found.report.regular_size;
     report.precision_bits = found.report.precision_bits;
+    unproven_.clear();
     for (auto& candidate : found.candidates) {
       if (set_.points().size() == wanted) return;
-      acb_mul_2exp_si(candidate.refined.x.get(), candidate.refined.x.get(), scaling.x_log2);
-      acb_mul_2exp_si(candidate.refined.y.get(), candidate.refined.y.get(), scaling.y_log2);
-      const long max_precision_bits = std::max(1024, 2 * report.precision_bits);
-      const int added = set_.add_simple(candidate.refined, first_radius_log2, max_precision_bits);
-      if (added == 0) continue;
-      const std::size_t first_new = set_.points().size() - static_cast<std::size_t>(added);
-      note_error(candidate.approximate, set_.points()[first_new].box, scaling);
+      for (bridge::PlaneBall* point : {&candidate.approximate, &candidate.refined}) {
+        acb_mul_2exp_si(point->x.get(), point->x.get(), scaling.x_log2);
+        acb_mul_2exp_si(point->y.get(), point->y.get(), scaling.y_log2);
+      }
+      if (!add_candidate(candidate, scaling, 53)) unproven_.push_back(std::move(candidate));
     }
+  }
+
+  /// Candidates that doubles could not prove, in more precision. A candidate near a multiple solution costs much and
+  /// comes to nothing: after more failures than there are solutions missing it is left to the exact side.
+  void add_in_ball_arithmetic(unsigned long wanted) {
+    const long max_precision_bits = std::max(1024, 2 * result_.engine.precision_bits);
+    unsigned long failures = 0;
+    for (const auto& candidate : unproven_) {
+      const unsigned long found = set_.points().size();
+      if (found >= wanted || failures > 4 + 2 * (wanted - found)) break;
+      if (!add_candidate(candidate, bridge::choose_scaling(p_, q_), max_precision_bits)) ++failures;
+    }
+    unproven_.clear();
+  }
+
+  /// True when a new solution was proven.
+  bool add_candidate(const PencilCandidates::Candidate& candidate, const bridge::PowerOfTwoScaling& scaling,
+                     long max_precision_bits) {
+    const int added = set_.add_simple(candidate.refined, first_radius_log2, max_precision_bits);
+    if (added == 0) return false;
+    const std::size_t first_new = set_.points().size() - static_cast<std::size_t>(added);
+    note_error(candidate.approximate, set_.points()[first_new].box, scaling);
+    return true;
   }
 
   /// Tight enough to print 15 digits of most solutions without enclosing them again. The same for any number of digits,
   /// which must not decide what is found.
   static constexpr long first_radius_log2 = -bits_for_digits(15) - 2;
 
-  /// Distance of the pencil's answer from the solution just added, relative to max(1, |coordinate|), in the scaled
-  /// coordinates in which the pencil worked.
+  /// Distance of the pencil's answer from the solution just added, relative to max(1, |coordinate|), measured in the
+  /// scaled coordinates in which the pencil worked.
   void note_error(const bridge::PlaneBall& approximate, const bridge::PlaneBall& box,
                   const bridge::PowerOfTwoScaling& scaling) {
     const auto relative_distance = [](const bridge::ComplexBall& found, const bridge::ComplexBall& truth, long log2) {
       bridge::ComplexBall exact = truth;
       acb_mul_2exp_si(exact.get(), exact.get(), -log2);
       bridge::ComplexBall difference;
-      acb_sub(difference.get(), found.get(), exact.get(), 64);
+      acb_sub(difference.get(), found.get(), truth.get(), 64);
+      acb_mul_2exp_si(difference.get(), difference.get(), -log2);
       const auto magnitude = [](const bridge::ComplexBall& z) {
         return std::hypot(arf_get_d(arb_midref(z.real()), ARF_RND_NEAR),
                           arf_get_d(arb_midref(z.imaginary()), ARF_RND_NEAR));
@@ -336,6 +365,7 @@ class Solver {
   StageClock& clock_;
   SolutionSet set_;
   SolutionProfile profile_;
+  std::vector<PencilCandidates::Candidate> unproven_;
   bool graded_tried_ = false;
 };
 

@@ -112,7 +112,7 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
   context_.checkpoint("certifying");
   const PlaneBall scaled_start = to_scaled(start);
   std::optional<PlaneBall> box = enclose_in_doubles(scaled_start, scaled_target(target_log2));
-  if (!box)
+  if (!box && max_precision_bits > 53)
     box =
         bridge::enclose_simple_zero(scaled_p_, scaled_q_, scaled_start, scaled_target(target_log2), max_precision_bits);
   if (!box) return 0;

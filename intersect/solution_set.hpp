@@ -43,9 +43,9 @@ class SolutionSet {
   const std::vector<EnclosedPoint>& points() const { return points_; }
 
   /// Tries to enclose a simple solution near `start` (given in the coordinates of p and q) in a box of radius at most
-  /// 2^radius_log2: by the Krawczyk test in hardware doubles, or in ball arithmetic of at most `max_precision_bits`. A
-  /// solution that is not real brings its conjugate with it. Returns the number of solutions that are new: 0 when
-  /// nothing was proven or it is already there.
+  /// 2^radius_log2: by the Krawczyk test in hardware doubles, or in ball arithmetic of at most `max_precision_bits`
+  /// (53: none). A solution that is not real brings its conjugate with it. Returns the number of solutions that are
+  /// new: 0 when nothing was proven or it is already there.
   int add_simple(const bridge::PlaneBall& start, long radius_log2, long max_precision_bits);
 
   /// Forgets all points.
