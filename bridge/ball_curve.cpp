@@ -28,15 +28,16 @@ Reach reach(const ComplexBall& z) {
   return result;
 }
 
-/// Adds an upper bound of a * d + b * e to the error of z.
-void widen(ComplexBall& z, const RealBall& a, const RealBall& d, const RealBall& b, const RealBall& e) {
+/// Adds an upper bound of a * d + b * e to the error of z, or of its real part only.
+void widen(ComplexBall& z, const RealBall& a, const RealBall& d, const RealBall& b, const RealBall& e, bool real) {
   RealBall sum;
   arb_mul(sum.get(), a.get(), d.get(), bound_bits);
   arb_addmul(sum.get(), b.get(), e.get(), bound_bits);
   mag_t error;
   mag_init(error);
   arb_get_mag(error, sum.get());
-  acb_add_error_mag(z.get(), error);
+  arb_add_error_mag(z.real(), error);
+  if (!real) arb_add_error_mag(z.imaginary(), error);
   mag_clear(error);
 }
 
@@ -126,8 +127,9 @@ BallSlopes BallCurve::slopes_on(const PlaneBall& box, long precision_bits) const
   BallSlopes slopes{std::move(at_middle.dx), std::move(at_middle.dy)};
   ComplexBall& inner_slope = outer_is_y_ ? slopes.dx : slopes.dy;
   ComplexBall& outer_slope = outer_is_y_ ? slopes.dy : slopes.dx;
-  widen(inner_slope, d_inner2, inner.distance, d_inner_outer, outer.distance);
-  widen(outer_slope, d_inner_outer, inner.distance, d_outer2, outer.distance);
+  const bool real = acb_is_real(box.x.get()) != 0 && acb_is_real(box.y.get()) != 0;
+  widen(inner_slope, d_inner2, inner.distance, d_inner_outer, outer.distance, real);
+  widen(outer_slope, d_inner_outer, inner.distance, d_outer2, outer.distance, real);
   return slopes;
 }
 

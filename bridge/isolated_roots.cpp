@@ -12,6 +12,9 @@ namespace eliminant::bridge {
 
 namespace {
 
+/// With fewer significant bits of the value Newton's step leads nowhere.
+constexpr long useful_bits = 8;
+
 /// Far above the root separation of any polynomial within the size limits: it only bounds what a mistake could cost.
 constexpr long precision_ceiling = 1L << 26;
 
@@ -140,8 +143,6 @@ class Isolation {
   void update(Root& root, const RealBallPolynomial& rounded, long precision_bits) const {
     root.value = evaluate(rounded, root.z, precision_bits);
     root.box = inclusion_box(root.z, root.value, degree_);
-    // With fewer significant bits of the value a step leads nowhere.
-    constexpr long useful_bits = 8;
     root.noisy = acb_rel_accuracy_bits(root.value.value.get()) < useful_bits;
     root.settled = root.noisy;
   }
@@ -380,16 +381,14 @@ void IsolatedRoots::refine(std::size_t index, long relative_bits, const Context&
         if (shrunk) ball = *box;
         if (acb_rel_accuracy_bits(ball.get()) >= relative_bits || (step > 0 && !shrunk)) break;
       }
-      if (acb_contains_zero(at_z.value.get())) break;
+      if (acb_rel_accuracy_bits(at_z.value.get()) < useful_bits) break;
       ComplexBall change;
       acb_div(change.get(), at_z.value.get(), at_z.derivative.get(), precision_bits);
       acb_sub(z.get(), z.get(), change.get(), precision_bits);
       z = midpoint(z);
-      if (!acb_is_finite(z.get())) {
-        z = midpoint(ball);
-        break;
-      }
+      if (acb_contains(ball.get(), z.get()) == 0) break;
     }
+    if (acb_contains(ball.get(), z.get()) == 0) z = midpoint(ball);
     precision_bits *= 2;
   }
 }
