@@ -172,6 +172,7 @@ void check_system(unsigned long seed, Tally& tally) {
   } else {
     CHECK(states_reason(pencil));
     ++tally.unproven_by_pencil;
+    MESSAGE("the pencil alone does not prove seed ", seed, ": ", text(system.p), ", ", text(system.q));
   }
 
   if (automatic.counts.with_multiplicity > automatic.counts.distinct) ++tally.with_multiple_point;
