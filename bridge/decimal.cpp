@@ -57,6 +57,18 @@ std::string Decimal::to_string() const {
   return negative ? "-" + text : text;
 }
 
+std::string exact_text(const symbolic::Rational& value) {
+  symbolic::Integer rest = value.denominator();
+  const auto remove = [&](long prime) {
+    return static_cast<long>(fmpz_remove(rest.get(), rest.get(), symbolic::Integer(prime).get()));
+  };
+  const long digits = std::max(remove(2), remove(5));
+  if (!(rest == symbolic::Integer(1))) return value.to_string();
+  const symbolic::Rational scaled =
+      value * symbolic::Rational(symbolic::power(symbolic::Integer(10), static_cast<unsigned long>(digits)));
+  return Decimal{scaled.numerator(), -digits}.to_string();
+}
+
 Decimal round_to_decimal(arb_srcptr ball, long exponent) {
   const long fine = exponent - guard_digits;
   const long bits = std::max(0L, static_cast<long>(arf_abs_bound_lt_2exp_si(arb_midref(ball)))) +

@@ -17,6 +17,9 @@ struct Decimal {
   std::string to_string() const;
 };
 
+/// The number without rounding: as a decimal where it is one, otherwise as a fraction `a/b`.
+std::string exact_text(const symbolic::Rational& value);
+
 /// The midpoint of a real ball rounded to a multiple of 10^exponent: first to 10^(exponent - 5), then half to even, so
 /// that enclosures of one number round alike even where it lies half-way.
 Decimal round_to_decimal(arb_srcptr ball, long exponent);

@@ -13,7 +13,7 @@ namespace eliminant::cli {
 
 namespace {
 
-constexpr std::array later_commands{"implicitize", "verify", "batch", "report"};
+constexpr std::array later_commands{"implicitize", "batch", "report"};
 
 struct OptionText {
   const char* name;
@@ -60,6 +60,9 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--variables", arguments.variables, "names and order of the two variables")->type_name("x,y");
   app.add_option("-o,--output", arguments.output, "write the answer to FILE instead of standard output")
       ->type_name("FILE");
+  app.add_option("--certificate", arguments.certificate,
+                 "write a certificate of the result to FILE; verify: the certificate to check")
+      ->type_name("FILE");
   app.add_flag("--echo", arguments.echo, "print the problem as understood (JSON, can be read back) and stop");
   CLI::Option* const progress = app.add_flag("--progress", arguments.progress, "report the stages on standard error");
   app.add_flag("--quiet", arguments.quiet, "no warnings on standard error")->excludes(progress);
@@ -69,7 +72,8 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
 
 std::variant<Arguments, Information> parse_arguments(const std::vector<std::string>& words) {
   if (!words.empty() && std::find(later_commands.begin(), later_commands.end(), words.front()) != later_commands.end())
-    throw UsageError("the command " + words.front() + " is not supported by this version; expected solve or curves");
+    throw UsageError("the command " + words.front() +
+                     " is not supported by this version; expected solve, curves or verify");
 
   Arguments arguments;
   CLI::App app("Intersections of plane curves by resultant matrices.", "eliminant");
@@ -85,7 +89,15 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
   curves->add_option("Q", arguments.q, "a polynomial; put -- before one that begins with two dashes")->required();
   curves->add_option("--box", arguments.box, "only the real solutions in this closed rectangle")
       ->type_name("[[a,b],[c,d]]");
-  for (CLI::App* command : {&app, solve, curves}) add_common_options(*command, arguments);
+  CLI::App* const verify =
+      app.add_subcommand("verify", "check anybody's solutions, or a certificate, against the exact problem in a file");
+  verify->add_option("PROBLEM", arguments.file, "the problem; - is standard input")->required();
+  verify->add_option("CANDIDATES", arguments.candidates, "solutions: JSON like a result, or CSV x,y[,multiplicity]");
+  verify
+      ->add_option("--tolerance", arguments.tolerance,
+                   "how far a candidate may be from its solution, relative to max(1, |x|, |y|) (default 1e-6)")
+      ->type_name("T");
+  for (CLI::App* command : {&app, solve, curves, verify}) add_common_options(*command, arguments);
 
   // CLI11 takes the words from the back.
   std::vector<std::string> reversed = protect_polynomials(words, *curves);
@@ -101,7 +113,13 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + "; see eliminant --help");
   }
-  arguments.command = solve->parsed() ? Arguments::Command::solve : Arguments::Command::curves;
+  arguments.command = solve->parsed()    ? Arguments::Command::solve
+                      : curves->parsed() ? Arguments::Command::curves
+                                         : Arguments::Command::verify;
+  if (verify->parsed() && arguments.candidates.has_value() == arguments.certificate.has_value())
+    throw UsageError("verify checks either CANDIDATES or --certificate FILE; see eliminant verify --help");
+  if (verify->parsed() && arguments.file == "-" && (arguments.candidates == "-" || arguments.certificate == "-"))
+    throw UsageError("verify cannot read both files from standard input");
   return arguments;
 }
 

@@ -19,10 +19,13 @@ class UsageError : public Error {
 
 /// A command line that asks for an answer.
 struct Arguments {
-  enum class Command { solve, curves };
+  enum class Command { solve, curves, verify };
   Command command = Command::solve;
-  /// Of `solve`: a path, or "-" for standard input.
+  /// Of `solve` and `verify`: a path, or "-" for standard input.
   std::string file;
+  /// Of `verify`: what is checked, where it is no certificate.
+  std::optional<std::string> candidates;
+  std::optional<std::string> tolerance;
   /// Of `curves`.
   std::string p;
   std::string q;
@@ -30,6 +33,8 @@ struct Arguments {
 
   std::optional<std::string> variables;
   std::optional<std::string> output;
+  /// Where the certificate is written; of `verify` where it is read.
+  std::optional<std::string> certificate;
   std::vector<io::OptionSetting> settings;
   bool echo = false;
   bool progress = false;

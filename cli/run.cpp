@@ -11,7 +11,11 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/cli/hard_stop.hpp>
+#include <eliminant/intersect/certificate_check.hpp>
+#include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/io/candidates_file.hpp>
+#include <eliminant/io/certificate_json.hpp>
 #include <eliminant/io/error_report.hpp>
 #include <eliminant/io/input_text.hpp>
 #include <eliminant/io/memory_limit.hpp>
@@ -21,6 +25,7 @@
 #include <eliminant/io/result_csv.hpp>
 #include <eliminant/io/result_json.hpp>
 #include <eliminant/io/result_text.hpp>
+#include <eliminant/io/verdict.hpp>
 
 namespace eliminant::cli {
 
@@ -50,11 +55,14 @@ void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line
 // One run; its members are what is known of the problem when an error comes.
 class Run {
  public:
-  explicit Run(const Arguments& arguments) : arguments_(arguments), answer_(arguments.output) {
+  explicit Run(const Arguments& arguments)
+      : arguments_(arguments),
+        answer_(arguments.output),
+        certificate_(arguments.command == Arguments::Command::verify ? std::nullopt : arguments.certificate) {
     io::apply_options(options_, arguments.settings);
   }
 
-  int solve() {
+  int run() {
     try {
       if (options_.memory_limit_megabytes) io::limit_memory(*options_.memory_limit_megabytes);
       const io::ProblemFile file = read();
@@ -63,9 +71,11 @@ class Run {
       io::apply_options(options_, file.options);
       io::apply_options(options_, arguments_.settings);
       if (options_.memory_limit_megabytes) io::limit_memory(*options_.memory_limit_megabytes);
-      if (!arguments_.echo) return solve(file.problem);
-      give(io::echo_problem(file, options_));
-      return 0;
+      if (arguments_.echo) {
+        give(io::echo_problem(file, options_));
+        return 0;
+      }
+      return arguments_.command == Arguments::Command::verify ? verify(file.problem) : solve(file.problem);
     } catch (const io::OutputError&) {
       throw;
     } catch (const std::exception& error) {
@@ -91,7 +101,9 @@ class Run {
     return io::read_problem(text, io::problem_syntax(arguments_.file, text), settings, &id_);
   }
 
-  int solve(const intersect::PlaneCurvesProblem& problem) {
+  // Computes with everything that watches over it.
+  template <class Compute>
+  auto watched(Compute compute) {
     Context context;
     if (arguments_.progress) {
       say("threads: " + std::to_string(options_.solve.threads));
@@ -106,14 +118,47 @@ class Run {
     }
     const Interruptible interruptible(context);
     solving_ = true;
-    const intersect::Result result = intersect::intersect_plane_curves(problem, options_.solve, context);
+    auto result = compute(context);
     solving_ = false;
+    return result;
+  }
+
+  int solve(const intersect::PlaneCurvesProblem& problem) {
+    options_.solve.certificate = arguments_.certificate.has_value();
+    const intersect::Result result = watched(
+        [&](const Context& context) { return intersect::intersect_plane_curves(problem, options_.solve, context); });
     if (!arguments_.quiet)
       for (const std::string& warning : result.warnings) say("warning: " + warning);
     if (!arguments_.quiet && options_.format == io::Format::csv && result.common_component)
       say("warning: the curves have a common component, which CSV cannot show");
+    if (result.certificate) certificate_.write(io::certificate_json(*result.certificate));
     give(print(result));
     return result.status == intersect::Status::incomplete ? 3 : 0;
+  }
+
+  int verify(const intersect::PlaneCurvesProblem& problem) {
+    if (options_.format == io::Format::csv)
+      throw InvalidInput("verify cannot answer in the format csv", "--format text or json");
+    const std::string path = arguments_.certificate ? *arguments_.certificate : *arguments_.candidates;
+    const std::string text = io::read_text(path);
+    source_ = path == "-" ? "standard input" : path;
+    if (arguments_.certificate) {
+      const intersect::Certificate certificate = io::read_certificate(text);
+      const auto reasons = watched([&](const Context& context) {
+        return intersect::check_certificate(problem.p, problem.q, certificate, context);
+      });
+      give(io::certificate_verdict(reasons, id_, options_.format));
+      return 0;
+    }
+    const io::CandidatesFile file = io::read_candidates(text);
+    intersect::Options options = options_.solve;
+    if (file.real_only && options.field == intersect::Field::automatic) options.field = intersect::Field::real;
+    const double tolerance = arguments_.tolerance ? io::tolerance(*arguments_.tolerance) : 1e-6;
+    const intersect::CandidateReport report = watched([&](const Context& context) {
+      return intersect::match_candidates(problem, file.candidates, tolerance, options, context);
+    });
+    give(io::candidates_verdict(report, id_, options_.format));
+    return 0;
   }
 
   std::string print(const intersect::Result& result) const {
@@ -161,6 +206,7 @@ class Run {
 
   const Arguments& arguments_;
   Answer answer_;
+  Answer certificate_;
   io::RunOptions options_;
   std::optional<io::ProblemId> id_;
   std::string source_;
@@ -169,6 +215,6 @@ class Run {
 
 }  // namespace
 
-int run(const Arguments& arguments) { return Run(arguments).solve(); }
+int run(const Arguments& arguments) { return Run(arguments).run(); }
 
 }  // namespace eliminant::cli

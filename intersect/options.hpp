@@ -27,6 +27,8 @@ struct Options {
   Field field = Field::automatic;
   /// Prove each solution and the completeness of the list where that is possible.
   bool certify = true;
+  /// Write a certificate of the result (Result::certificate).
+  bool certificate = false;
   /// Seeds the choice of primes. The answer does not depend on it.
   std::uint64_t seed = 0;
   /// Worker threads; the answer does not depend on it.

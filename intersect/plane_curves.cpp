@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/intersect/make_certificate.hpp>
 #include <eliminant/intersect/pencil_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/presentation.hpp>
@@ -429,6 +430,7 @@ Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& 
   if (split.first.is_constant() || split.second.is_constant()) {
     result.engine.method = "none";
     result.engine.seed = options.seed;
+    if (options.certificate) result.certificate = make_certificate(problem, split, nullptr, context);
   } else {
     Solver solver(split.first, split.second, options, context, result, clock);
     proven = solver.run();
@@ -443,6 +445,10 @@ Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& 
     const std::vector<std::size_t> indices = listed_points(solver.set(), problem, options);
     result.solutions = present(solver.set(), indices, options.digits);
     clock.finish("refinement");
+    if (options.certificate && proven) {
+      result.certificate = make_certificate(problem, split, &solver.set(), context);
+      clock.finish("certificate");
+    }
   }
   result.counts.listed = static_cast<unsigned long>(result.solutions.size());
   for (Solution& solution : result.solutions) {
@@ -453,6 +459,9 @@ Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& 
     else if (!proven)
       solution.reason = "not all solutions were found";
   }
+  if (options.certificate && !result.certificate)
+    result.warnings.emplace_back(proven ? "no certificate: no number of digits within reason makes it checkable"
+                                        : "no certificate: not all solutions were found");
   const Status status = options.certify && proven ? Status::certified : Status::numeric;
   result.status = infinite ? Status::infinite : status;
   if (infinite) result.rest_status = status;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <eliminant/bridge/ball.hpp>
+#include <eliminant/intersect/certificate.hpp>
 #include <eliminant/symbolic/arithmetic/polynomial.hpp>
 
 namespace eliminant::intersect {
@@ -85,6 +86,8 @@ struct Result {
   /// Only for `infinite`: the greatest common divisor of the two polynomials, primitive over Z; 0 if both vanish.
   std::optional<symbolic::Polynomial> common_component;
   EngineReport engine;
+  /// Where it was asked for and everything is proven: of all solutions, also when only some are listed.
+  std::optional<Certificate> certificate;
   /// Stage name and wall-clock seconds, in the order of the stages; "total" comes first.
   std::vector<std::pair<std::string, double>> seconds;
   std::vector<std::string> warnings;

@@ -143,6 +143,13 @@ void apply_options(RunOptions& options, std::span<const OptionSetting> settings)
   for (const OptionSetting& setting : settings) apply(options, setting);
 }
 
+double tolerance(const std::string& value) {
+  const OptionSetting setting{"tolerance", value, {}};
+  const double result = positive_number(setting);
+  if (result >= 1) refuse(setting, "a number between 0 and 1");
+  return result;
+}
+
 std::vector<OptionSetting> settings_of(const RunOptions& options) {
   const RunOptions defaults;
   std::vector<OptionSetting> settings;

@@ -69,6 +69,10 @@ TEST_CASE("program: a wrong command line is bad usage") {
                                 "curves x --y",
                                 "batch f",
                                 "verify",
+                                "verify p.json",
+                                "verify p.json c.csv --certificate c.json",
+                                "verify - -",
+                                "implicitize f",
                                 "curves x y --box '[[0,1]]'",
                                 "curves x y --box '[[0,1],[1'",
                                 "curves x y --variables x",
@@ -133,9 +137,9 @@ TEST_CASE("program: help and version are answers") {
   const Outcome help = run_program(folder, "curves --help");
   CHECK(help.status == 0);
   for (const char* option :
-       {"--format",       "--digits",  "--engine",     "--matrix",   "--precision", "--epsilon", "--real",
-        "--complex",      "--certify", "--no-certify", "--box",      "--variables", "--threads", "--time-limit",
-        "--memory-limit", "--output",  "--echo",       "--progress", "--quiet",     "--seed"})
+       {"--format",      "--digits",       "--engine",     "--matrix", "--precision", "--epsilon", "--real",
+        "--complex",     "--certify",      "--no-certify", "--box",    "--variables", "--threads", "--time-limit",
+        "--certificate", "--memory-limit", "--output",     "--echo",   "--progress",  "--quiet",   "--seed"})
     CHECK(contains(help.out, option));
 }
 
@@ -150,6 +154,50 @@ TEST_CASE("program: an answer goes to standard output alone, or to the file") {
   CHECK(filed.status == 0);
   CHECK(filed.out.empty());
   CHECK(folder.read("r").starts_with("x_re,x_im,y_re,y_im,radius,real,multiplicity,certified\n"));
+}
+
+TEST_CASE("program: a certificate is written, and verify accepts it, but no corrupted one") {
+  const TemporaryFolder folder;
+  const std::string problem = folder.write(
+      "p.json", R"json({"problem": "plane_curves", "p": "(x-1)^2 + y^2 - 1", "q": "x*(y-2)", "id": 7})json");
+  const std::string certificate = folder.file("c.json");
+  CHECK(run_program(folder, "solve '" + problem + "' --certificate '" + certificate + "'").status == 0);
+  const std::string verify = "verify '" + problem + "' --format json --certificate '";
+  const Outcome accepted = run_program(folder, verify + certificate + "'");
+  CHECK(accepted.status == 0);
+  CHECK(contains(accepted.out, "\"verdict\": \"accepted\""));
+  CHECK(contains(accepted.out, "\"id\": 7"));
+  std::string text = folder.read("c.json");
+  text.replace(text.find("\"real\": true"), 12, "\"real\": false");
+  const Outcome refused = run_program(folder, verify + folder.write("corrupted.json", text) + "'");
+  CHECK(refused.status == 0);
+  CHECK(contains(refused.out, "\"verdict\": \"refused\""));
+  CHECK(run_program(folder, verify + folder.write("none.json", "{}") + "'").status == 2);
+  CHECK(run_program(folder, verify + folder.file("missing.json") + "'").status == 2);
+  CHECK(run_program(folder, "solve '" + problem + "' --certificate /nowhere/c.json").status == 1);
+}
+
+TEST_CASE("program: verify compares its own results and somebody's floats") {
+  const TemporaryFolder folder;
+  const std::string problem =
+      folder.write("p.json", R"json({"problem": "plane_curves", "p": "(x-1)^2 + y^2 - 1", "q": "x*(y-2)"})json");
+  for (const char* format : {"csv", "json"}) {
+    const Outcome result = run_program(folder, "solve '" + problem + "' --format " + format);
+    const Outcome verdict = run_program(folder, "verify '" + problem + "' '" + folder.write("r", result.out) + "'");
+    CHECK(verdict.status == 0);
+    CHECK(contains(verdict.out, "Verdict: accepted"));
+  }
+  const Outcome verdict = run_program(
+      folder, "verify --tolerance 1e-3 '" + problem + "' '" + folder.write("f.csv", "x,y\n0.0001,0\n1,1\n") + "'");
+  CHECK(verdict.status == 0);
+  CHECK(contains(verdict.out, "Verdict: refused"));
+  CHECK(contains(verdict.out, "candidate 1 is within 1.1e-04 of (0, 0)"));
+  CHECK(contains(verdict.out, "candidate 2: the nearest solution"));
+  const Outcome bad = run_program(folder, "verify '" + problem + "' '" + folder.write("b.csv", "x,y\n0,inf\n") + "'");
+  CHECK(bad.status == 2);
+  CHECK(contains(bad.err, "b.csv:2:3: "));
+  CHECK(run_program(folder, "verify '" + problem + "' '" + folder.file("f.csv") + "' --format csv").status == 2);
+  CHECK(run_program(folder, "verify '" + problem + "' '" + folder.file("f.csv") + "' --tolerance 2").status == 2);
 }
 
 #endif
