@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include <eliminant/bridge/ball_curve.hpp>
 
 namespace eliminant::bridge {
 
 namespace {
+
+/// RAII for a vector of complex balls as FLINT wants it.
+class BallVector {
+ public:
+  explicit BallVector(slong size) : size_(size), value_(_acb_vec_init(size)) {}
+  /// 1, z, ..., z^(size - 1), each by as few multiplications as squaring allows: a rectangle grows in each of them.
+  BallVector(const ComplexBall& z, slong size, long precision_bits) : BallVector(size) {
+    _acb_vec_set_powers(value_, z.get(), size, precision_bits);
+  }
+  BallVector(const BallVector&) = delete;
+  BallVector& operator=(const BallVector&) = delete;
+  ~BallVector() { _acb_vec_clear(value_, size_); }
+  acb_ptr get() { return value_; }
+  acb_srcptr get() const { return value_; }
+
+ private:
+  slong size_;
+  acb_ptr value_;
+};
 
 /// |z| as a real ball, rounded up, and the distance of the corners from the midpoint.
 struct Reach {
@@ -49,36 +70,43 @@ BallCurve::BallCurve(const symbolic::Polynomial& p) : outer_is_y_(p.degree(0) >=
 }
 
 BallJet BallCurve::jet(const PlaneBall& point, long precision_bits) const {
-  const ComplexBall& inner = outer_is_y_ ? point.x : point.y;
-  const ComplexBall& outer = outer_is_y_ ? point.y : point.x;
-  BallJet result;
-  ComplexBall& d_inner = outer_is_y_ ? result.dx : result.dy;
-  ComplexBall& d_outer = outer_is_y_ ? result.dy : result.dx;
-  ComplexBall row;
-  for (std::size_t j = rows_.size(); j-- > 0;) {
-    acb_mul(d_outer.get(), d_outer.get(), outer.get(), precision_bits);
-    acb_add(d_outer.get(), d_outer.get(), result.value.get(), precision_bits);
-    arb_fmpz_poly_evaluate_acb(row.get(), rows_[j].get(), inner.get(), precision_bits);
-    acb_mul(result.value.get(), result.value.get(), outer.get(), precision_bits);
-    acb_add(result.value.get(), result.value.get(), row.get(), precision_bits);
-    arb_fmpz_poly_evaluate_acb(row.get(), row_derivatives_[j].get(), inner.get(), precision_bits);
-    acb_mul(d_inner.get(), d_inner.get(), outer.get(), precision_bits);
-    acb_add(d_inner.get(), d_inner.get(), row.get(), precision_bits);
-  }
-  return result;
+  const Sums sums = sum_rows(point, true, precision_bits);
+  return outer_is_y_ ? BallJet{sums.value, sums.d_inner, sums.d_outer}
+                     : BallJet{sums.value, sums.d_outer, sums.d_inner};
 }
 
 ComplexBall BallCurve::value(const PlaneBall& point, long precision_bits) const {
-  const ComplexBall& inner = outer_is_y_ ? point.x : point.y;
-  const ComplexBall& outer = outer_is_y_ ? point.y : point.x;
-  ComplexBall sum;
-  ComplexBall row;
-  for (std::size_t j = rows_.size(); j-- > 0;) {
-    arb_fmpz_poly_evaluate_acb(row.get(), rows_[j].get(), inner.get(), precision_bits);
-    acb_mul(sum.get(), sum.get(), outer.get(), precision_bits);
-    acb_add(sum.get(), sum.get(), row.get(), precision_bits);
+  return sum_rows(point, false, precision_bits).value;
+}
+
+BallCurve::Sums BallCurve::sum_rows(const PlaneBall& point, bool with_derivatives, long precision_bits) const {
+  Sums sums;
+  const auto row_count = static_cast<slong>(rows_.size());
+  if (row_count == 0) return sums;
+  slong longest = 1;
+  for (const auto& row : rows_) longest = std::max(longest, static_cast<slong>(row.degree() + 1));
+  const BallVector inner_powers(outer_is_y_ ? point.x : point.y, longest, precision_bits);
+  const BallVector outer_powers(outer_is_y_ ? point.y : point.x, row_count, precision_bits);
+  BallVector values(row_count);
+  const auto evaluate = [&](const std::vector<symbolic::UnivariatePolynomial>& rows) {
+    for (slong j = 0; j < row_count; ++j) {
+      const fmpz_poly_struct* const row = rows[static_cast<std::size_t>(j)].get();
+      acb_dot_fmpz(values.get() + j, nullptr, 0, inner_powers.get(), 1, row->coeffs, 1, fmpz_poly_length(row),
+                   precision_bits);
+    }
+  };
+  if (with_derivatives) {
+    evaluate(row_derivatives_);
+    acb_dot(sums.d_inner.get(), nullptr, 0, values.get(), 1, outer_powers.get(), 1, row_count, precision_bits);
   }
-  return sum;
+  evaluate(rows_);
+  acb_dot(sums.value.get(), nullptr, 0, values.get(), 1, outer_powers.get(), 1, row_count, precision_bits);
+  if (with_derivatives) {
+    for (slong j = 2; j < row_count; ++j)
+      acb_mul_ui(values.get() + j, values.get() + j, static_cast<ulong>(j), precision_bits);
+    acb_dot(sums.d_outer.get(), nullptr, 0, values.get() + 1, 1, outer_powers.get(), 1, row_count - 1, precision_bits);
+  }
+  return sums;
 }
 
 BallSlopes BallCurve::slopes_on(const PlaneBall& box, long precision_bits) const {

@@ -28,8 +28,7 @@ class BallCurve {
  public:
   explicit BallCurve(const symbolic::Polynomial& p);
 
-  /// Encloses p, p_x, p_y on all of `point`, best for points without radius: a rectangle grows in each step of Horner's
-  /// rule.
+  /// Encloses p, p_x, p_y on all of `point`, best for points without radius: a rectangle grows in each multiplication.
   BallJet jet(const PlaneBall& point, long precision_bits) const;
   /// Encloses p only.
   ComplexBall value(const PlaneBall& point, long precision_bits) const;
@@ -38,6 +37,11 @@ class BallCurve {
   BallSlopes slopes_on(const PlaneBall& box, long precision_bits) const;
 
  private:
+  struct Sums {
+    ComplexBall value, d_inner, d_outer;
+  };
+  Sums sum_rows(const PlaneBall& point, bool with_derivatives, long precision_bits) const;
+
   // p times a common denominator, by powers of the outer variable: no effect on the zeros. The inner variable is the
   // one of higher degree, whose polynomials have an evaluation that loses few digits.
   bool outer_is_y_ = true;

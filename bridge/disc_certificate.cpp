@@ -20,6 +20,19 @@ constexpr double largest_trusted = 1e250;
 
 double absolute(const Complex& z) { return std::hypot(z.real(), z.imag()) * upward; }
 
+/// RAII for an upper bound as Arb wants it.
+class Magnitude {
+ public:
+  Magnitude() { mag_init(value_); }
+  Magnitude(const Magnitude&) = delete;
+  Magnitude& operator=(const Magnitude&) = delete;
+  ~Magnitude() { mag_clear(value_); }
+  mag_ptr get() { return value_; }
+
+ private:
+  mag_t value_;
+};
+
 ComplexBall exact_ball(const Complex& z) { return {z.real(), z.imag()}; }
 
 }  // namespace
@@ -117,20 +130,43 @@ std::optional<DiscCertificate> disc_krawczyk_test(const RoundedCurve& p, const R
     }
     certificate.contraction = std::max(certificate.contraction, sum * upward);
   }
-  // step + contraction * radius <= radius, with radius = 2 step.
-  if (!(certificate.contraction <= 0.5)) return std::nullopt;
+  // Then step + contraction * radius <= radius, with radius = 2 step, and the zero is within 4/3 step.
+  if (!(certificate.contraction <= 0.25)) return std::nullopt;
   return certificate;
+}
+
+DiscCertificate conjugate(const DiscCertificate& certificate) {
+  DiscCertificate result = certificate;
+  result.center = {std::conj(certificate.center.x), std::conj(certificate.center.y)};
+  for (Complex& entry : result.inverse) entry = std::conj(entry);
+  return result;
+}
+
+PlaneBall region_of(const DiscCertificate& certificate) {
+  PlaneBall box{exact_ball(certificate.center.x), exact_ball(certificate.center.y)};
+  // Below 1 / sqrt(2), so that the corners are in the disc, and above 2 / 3.
+  Magnitude radius;
+  mag_set_d_lower(radius.get(), 0.7 * certificate.radius);
+  for (ComplexBall* coordinate : {&box.x, &box.y}) {
+    arb_add_error_mag(coordinate->real(), radius.get());
+    arb_add_error_mag(coordinate->imaginary(), radius.get());
+  }
+  return box;
 }
 
 std::optional<PlaneBall> enclose_zero(const DiscCertificate& certificate, const BallCurve& p, const BallCurve& q,
                                       long target_log2) {
   const double size = std::max({1.0, std::abs(certificate.center.x), std::abs(certificate.center.y)});
   const long precision_bits = std::max(96L, std::ilogb(size) - target_log2 + 32);
-  PlaneBall point{exact_ball(certificate.center.x), exact_ball(certificate.center.y)};
+  // A zero of real curves in a polydisc with real center is real.
+  const bool real = certificate.center.x.imag() == 0 && certificate.center.y.imag() == 0;
+  const PlaneBall center{exact_ball(certificate.center.x), exact_ball(certificate.center.y)};
+  PlaneBall point = center;
   std::array<ComplexBall, 4> c;
   for (std::size_t k = 0; k < 4; ++k) c[k] = exact_ball(certificate.inverse[k]);
-  // C was an inverse to about the contraction on a disc of that radius: each step gains that factor.
-  constexpr int max_steps = 4;
+  Magnitude contraction;
+  mag_set_d(contraction.get(), certificate.contraction);
+  constexpr int max_steps = 5;
   for (int step = 0; step < max_steps; ++step) {
     ComplexBall f = p.value(point, precision_bits);
     ComplexBall g = q.value(point, precision_bits);
@@ -141,42 +177,35 @@ std::optional<PlaneBall> enclose_zero(const DiscCertificate& certificate, const 
     acb_addmul(correction.x.get(), c[1].get(), g.get(), precision_bits);
     acb_mul(correction.y.get(), c[2].get(), f.get(), precision_bits);
     acb_addmul(correction.y.get(), c[3].get(), g.get(), precision_bits);
-    // |z - m| <= |C F(m)| / (1 - contraction) <= 2 |C F(m)|.
-    mag_t distance;
-    mag_t y_distance;
-    mag_init(distance);
-    mag_init(y_distance);
-    acb_get_mag(distance, correction.x.get());
-    acb_get_mag(y_distance, correction.y.get());
-    mag_max(distance, distance, y_distance);
-    mag_mul_2exp_si(distance, distance, 1);
-    const bool reached = mag_cmp_2exp_si(distance, target_log2) <= 0;
-    if (reached) {
-      acb_add_error_mag(point.x.get(), distance);
-      acb_add_error_mag(point.y.get(), distance);
-      // A zero of real curves in a polydisc with real center is real.
-      if (certificate.center.x.imag() == 0 && certificate.center.y.imag() == 0) {
-        arb_zero(point.x.imaginary());
-        arb_zero(point.y.imaginary());
-      }
+    // |z - m| <= 4/3 |C F(m)|, and z lies within contraction |z - m| of m - C F(m), which is a ball.
+    Magnitude distance;
+    Magnitude y_distance;
+    acb_get_mag(distance.get(), correction.x.get());
+    acb_get_mag(y_distance.get(), correction.y.get());
+    mag_max(distance.get(), distance.get(), y_distance.get());
+    mag_mul_2exp_si(distance.get(), distance.get(), 1);
+    mag_mul(distance.get(), distance.get(), contraction.get());
+    PlaneBall next;
+    acb_sub(next.x.get(), point.x.get(), correction.x.get(), precision_bits);
+    acb_sub(next.y.get(), point.y.get(), correction.y.get(), precision_bits);
+    acb_add_error_mag(next.x.get(), distance.get());
+    acb_add_error_mag(next.y.get(), distance.get());
+    if (real) {
+      arb_zero(next.x.imaginary());
+      arb_zero(next.y.imaginary());
     }
-    mag_clear(y_distance);
-    mag_clear(distance);
-    if (reached) return point;
-    acb_sub(point.x.get(), point.x.get(), correction.x.get(), precision_bits);
-    acb_sub(point.y.get(), point.y.get(), correction.y.get(), precision_bits);
-    acb_get_mid(point.x.get(), point.x.get());
-    acb_get_mid(point.y.get(), point.y.get());
-    // The bound holds in the polydisc only. Every exact step stays in it; rounding moves by far less than the radius.
-    ComplexBall moved;
-    for (const auto& [now, start] : {std::pair{&point.x, certificate.center.x}, {&point.y, certificate.center.y}}) {
-      acb_sub(moved.get(), now->get(), exact_ball(start).get(), precision_bits);
-      mag_t length;
-      mag_init(length);
-      acb_get_mag(length, moved.get());
-      const bool outside = mag_cmp_2exp_si(length, std::ilogb(certificate.radius)) > 0;
-      mag_clear(length);
-      if (outside) return std::nullopt;
+    const auto reached = [&](arb_srcptr part) { return mag_cmp_2exp_si(arb_radref(part), target_log2) <= 0; };
+    if (reached(next.x.real()) && reached(next.x.imaginary()) && reached(next.y.real()) && reached(next.y.imaginary()))
+      return next;
+    acb_get_mid(point.x.get(), next.x.get());
+    acb_get_mid(point.y.get(), next.y.get());
+    // The bounds hold in the polydisc only. Every exact step stays in it; rounding moves by far less than the radius.
+    for (const auto& [now, start] : {std::pair{&point.x, &center.x}, {&point.y, &center.y}}) {
+      ComplexBall moved;
+      Magnitude length;
+      acb_sub(moved.get(), now->get(), start->get(), precision_bits);
+      acb_get_mag(length.get(), moved.get());
+      if (mag_cmp_2exp_si(length.get(), std::ilogb(certificate.radius)) > 0) return std::nullopt;
     }
   }
   return std::nullopt;

@@ -39,8 +39,8 @@ class RoundedCurve {
 };
 
 /// Proof that the polydisc |x - center.x| <= radius, |y - center.y| <= radius contains exactly one zero of (p, q), a
-/// simple one: with C = `inverse`, |I - C J| <= contraction <= 1/2 (largest row sum) on all of it and |C F(center)| +
-/// contraction * radius <= radius. When the center is real, the zero is, the polydisc being its own conjugate.
+/// simple one: with C = `inverse`, |I - C J| <= contraction <= 1/4 (largest row sum) on all of it and |C F(center)| <=
+/// radius / 2. When the center is real, the zero is, the polydisc being its own conjugate.
 struct DiscCertificate {
   numeric::PlanePoint<double> center;
   double radius = 0;
@@ -59,8 +59,16 @@ struct DiscCertificate {
 std::optional<DiscCertificate> disc_krawczyk_test(const RoundedCurve& p, const RoundedCurve& q,
                                                   const numeric::PlanePoint<double>& center);
 
-/// Encloses the zero of a certificate in a box of radius at most 2^target_log2 by m <- m - C F(m) in ball arithmetic:
-/// for every m of the polydisc, |z - m| <= |C F(m)| / (1 - contraction). nullopt when too many steps would be needed.
+/// The same for the complex conjugate polydisc.
+DiscCertificate conjugate(const DiscCertificate& certificate);
+
+/// A square box inside the polydisc, with 0.7 of its radius as half-width, that holds its zero: that one is within
+/// |C F(center)| / (1 - contraction) of the center, two thirds of the radius.
+PlaneBall region_of(const DiscCertificate& certificate);
+
+/// Encloses the zero of a certificate in a box of radius at most 2^target_log2 by m <- m - C F(m) in ball arithmetic.
+/// For every m of the polydisc |z - m| <= |C F(m)| / (1 - contraction), and the next m is nearer by the factor
+/// contraction, up to the error of C F(m). nullopt when too many steps would be needed.
 std::optional<PlaneBall> enclose_zero(const DiscCertificate& certificate, const BallCurve& p, const BallCurve& q,
                                       long target_log2);
 

@@ -112,15 +112,13 @@ PlaneBall conjugate(const PlaneBall& box) {
   return result;
 }
 
-/// The smallest box around both, widened by a half on each side: the Krawczyk test needs room.
-PlaneBall widened_hull(const PlaneBall& a, const PlaneBall& b, long precision_bits) {
+/// A square box around both, with room for the Krawczyk test on all sides: the test sees no difference between the
+/// directions, so a box narrower in one than its own width times the second derivatives would fail.
+PlaneBall square_hull(const PlaneBall& a, const PlaneBall& b, long precision_bits) {
   PlaneBall hull;
   acb_union(hull.x.get(), a.x.get(), b.x.get(), precision_bits);
   acb_union(hull.y.get(), a.y.get(), b.y.get(), precision_bits);
-  for (ComplexBall* coordinate : {&hull.x, &hull.y})
-    for (arb_ptr part : {coordinate->real(), coordinate->imaginary()})
-      mag_mul_2exp_si(arb_radref(part), arb_radref(part), 1);
-  return hull;
+  return inflate(midpoint(hull), radius_log2(hull) + 1);
 }
 
 /// The Krawczyk test on a box around both, at a precision at which rounding is small beside its radius.
@@ -130,7 +128,7 @@ bool hull_has_one_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& 
     return acb_equal(a.x.get(), b.x.get()) != 0 && acb_equal(a.y.get(), b.y.get()) != 0;
   const long size = std::max({0L, magnitude_log2(a.x), magnitude_log2(a.y)});
   const long precision_bits = std::max(128L, 2 * (size - radius) + 64);
-  return krawczyk_test(p, q, widened_hull(a, b, precision_bits), precision_bits).has_value();
+  return krawczyk_test(p, q, square_hull(a, b, precision_bits), precision_bits).has_value();
 }
 
 }  // namespace
@@ -191,8 +189,8 @@ std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, co
   return result;
 }
 
-std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
-                                             long target_log2, long max_precision_bits) {
+std::optional<SimpleZero> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
+                                              long target_log2, long max_precision_bits) {
   PlaneBall point = midpoint(start);
   const long size_log2 = std::max({0L, magnitude_log2(point.x), magnitude_log2(point.y)});
   // Rounding loses some bits in the evaluation: start with room for them.
@@ -214,11 +212,51 @@ std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve
     const long floor_log2 = std::max(size_log2 - precision_bits + 16, check->noise_log2 + 2);
     for (const long radius :
          {std::max(check->step_log2 + 2, floor_log2), std::max(check->step_log2 + 8, floor_log2 + 8)}) {
-      const std::optional<PlaneBall> image = krawczyk_test(p, q, inflate(point, radius), precision_bits);
-      if (image && radius_log2(*image) <= target_log2) return image;
+      const PlaneBall region = inflate(point, radius);
+      const std::optional<PlaneBall> image = krawczyk_test(p, q, region, precision_bits);
+      if (image && radius_log2(*image) <= target_log2) return SimpleZero{region, *image};
     }
   }
   return std::nullopt;
+}
+
+std::optional<SimpleZero> refine_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& region,
+                                             long target_log2, long max_precision_bits) {
+  SimpleZero zero{region, region};
+  const long size_log2 = std::max({0L, magnitude_log2(region.x), magnitude_log2(region.y)});
+  const auto in_region = [&](const PlaneBall& box) {
+    return acb_contains(zero.region.x.get(), box.x.get()) != 0 && acb_contains(zero.region.y.get(), box.y.get()) != 0;
+  };
+  // Near another zero a step computed with too few bits leads to that one: enough bits for the size of the region, more
+  // if a step leaves its surroundings.
+  const auto near_region = [&](const PlaneBall& point) {
+    const PlaneBall square = inflate(midpoint(zero.region), radius_log2(zero.region) + 1);
+    return acb_overlaps(square.x.get(), point.x.get()) != 0 && acb_overlaps(square.y.get(), point.y.get()) != 0;
+  };
+  long precision_bits = std::max(96L, 2 * (size_log2 - radius_log2(region)) + 32);
+  for (; radius_log2(zero.box) > target_log2; precision_bits *= 2) {
+    if (precision_bits > max_precision_bits) return std::nullopt;
+    PlaneBall point = midpoint(zero.box);
+    constexpr int max_steps = 60;
+    std::optional<NewtonStep> step;
+    for (int count = 0; count < max_steps; ++count) {
+      step = newton_step(p, q, point, precision_bits);
+      if (!step || !near_region(step->point)) break;
+      point = step->point;
+      if (step->step_log2 <= std::max({target_log2 - 4, step->noise_log2, size_log2 - precision_bits + 8})) break;
+    }
+    if (!step || !near_region(step->point)) continue;
+    const long floor_log2 = std::max(size_log2 - precision_bits + 16, step->noise_log2 + 2);
+    for (const long radius :
+         {std::max(step->step_log2 + 2, floor_log2), std::max(step->step_log2 + 8, floor_log2 + 8)}) {
+      const PlaneBall square = inflate(point, radius);
+      const std::optional<PlaneBall> image = krawczyk_test(p, q, square, precision_bits);
+      if (!image || !in_region(*image)) continue;
+      zero = {square, *image};
+      break;
+    }
+  }
+  return zero;
 }
 
 bool zero_is_real(const BallCurve& p, const BallCurve& q, const PlaneBall& box) {

@@ -32,9 +32,20 @@ struct NewtonStep {
 std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, const PlaneBall& point,
                                       long precision_bits);
 
+/// A simple zero: `region` holds it and no other zero, `box` encloses it and lies in the region.
+struct SimpleZero {
+  PlaneBall region;
+  PlaneBall box;
+};
+
 /// Encloses the zero near `start` in a box whose radius is at most 2^target_log2: Newton steps, then the Krawczyk test
 /// on a slightly larger box, with the precision raised up to `max_precision_bits`. nullopt: not reached.
-std::optional<PlaneBall> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
+std::optional<SimpleZero> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
+                                              long target_log2, long max_precision_bits);
+
+/// Encloses the one zero of `region` in a box whose radius is at most 2^target_log2: the box lies in the region, so it
+/// holds the same zero. nullopt when max_precision_bits do not suffice.
+std::optional<SimpleZero> refine_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& region,
                                              long target_log2, long max_precision_bits);
 
 /// True when `box` and its complex conjugate, taken together, contain one zero only: of real curves, a real one.

@@ -67,16 +67,13 @@ long SolutionSet::scaled_target(long radius_log2) const {
   return radius_log2 - std::max(scaling_.x_log2, scaling_.y_log2) - 1;
 }
 
-std::optional<PlaneBall> SolutionSet::enclose_in_doubles(const PlaneBall& scaled_start, long target_log2) const {
+std::optional<bridge::DiscCertificate> SolutionSet::certify_in_doubles(const PlaneBall& scaled_start) const {
   if (!rounded_p_ || !rounded_q_) return std::nullopt;
   const auto to_double = [](const ComplexBall& z) {
     return std::complex<double>(arf_get_d(arb_midref(z.real()), ARF_RND_NEAR),
                                 arf_get_d(arb_midref(z.imaginary()), ARF_RND_NEAR));
   };
-  const auto certificate =
-      bridge::disc_krawczyk_test(*rounded_p_, *rounded_q_, {to_double(scaled_start.x), to_double(scaled_start.y)});
-  if (!certificate) return std::nullopt;
-  return bridge::enclose_zero(*certificate, scaled_p_, scaled_q_, target_log2);
+  return bridge::disc_krawczyk_test(*rounded_p_, *rounded_q_, {to_double(scaled_start.x), to_double(scaled_start.y)});
 }
 
 PlaneBall SolutionSet::to_scaled(const PlaneBall& point) const {
@@ -111,13 +108,22 @@ void SolutionSet::store(EnclosedPoint& point, PlaneBall box, long target_log2) c
 int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_precision_bits) {
   context_.checkpoint("certifying");
   const PlaneBall scaled_start = to_scaled(start);
-  std::optional<PlaneBall> box = enclose_in_doubles(scaled_start, scaled_target(target_log2));
-  if (!box && max_precision_bits > 53)
-    box =
-        bridge::enclose_simple_zero(scaled_p_, scaled_q_, scaled_start, scaled_target(target_log2), max_precision_bits);
-  if (!box) return 0;
   EnclosedPoint candidate;
-  candidate.box = from_scaled(*box);
+  candidate.disc = certify_in_doubles(scaled_start);
+  std::optional<bridge::SimpleZero> zero;
+  if (candidate.disc)
+    zero = bridge::SimpleZero{bridge::region_of(*candidate.disc), bridge::region_of(*candidate.disc)};
+  else if (max_precision_bits > 53)
+    zero =
+        bridge::enclose_simple_zero(scaled_p_, scaled_q_, scaled_start, scaled_target(target_log2), max_precision_bits);
+  if (!zero) return 0;
+  candidate.region = zero->region;
+  candidate.box = from_scaled(zero->box);
+  // The polydisc around a real point is its own mirror image, and so is its one zero.
+  if (candidate.disc && candidate.disc->center.x.imag() == 0 && candidate.disc->center.y.imag() == 0) {
+    arb_zero(candidate.box.x.imaginary());
+    arb_zero(candidate.box.y.imaginary());
+  }
   if (acb_is_real(candidate.box.x.get()) && acb_is_real(candidate.box.y.get())) candidate.reality = Reality::real;
   // Either the same zero, which one box around both proves, or another one, which tighter boxes prove.
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -145,6 +151,9 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
   EnclosedPoint conjugate = candidate;
   acb_conj(conjugate.box.x.get(), conjugate.box.x.get());
   acb_conj(conjugate.box.y.get(), conjugate.box.y.get());
+  acb_conj(conjugate.region.x.get(), conjugate.region.x.get());
+  acb_conj(conjugate.region.y.get(), conjugate.region.y.get());
+  if (conjugate.disc) conjugate.disc = bridge::conjugate(*conjugate.disc);
   points_.push_back(std::move(candidate));
   points_.push_back(std::move(conjugate));
   return 2;
@@ -245,9 +254,15 @@ void SolutionSet::enclose(std::size_t index, long target_log2) {
     return;
   }
   if (!point.class_index) {
-    const std::optional<PlaneBall> box = bridge::enclose_simple_zero(scaled_p_, scaled_q_, to_scaled(point.box),
-                                                                     scaled_target(target_log2), precision_ceiling);
-    if (!box) throw PrecisionExhausted("a simple solution could not be refined");
+    std::optional<PlaneBall> box;
+    if (point.disc) box = bridge::enclose_zero(*point.disc, scaled_p_, scaled_q_, scaled_target(target_log2));
+    if (!box) {
+      std::optional<bridge::SimpleZero> zero =
+          bridge::refine_simple_zero(scaled_p_, scaled_q_, point.region, scaled_target(target_log2), precision_ceiling);
+      if (!zero) throw PrecisionExhausted("a simple solution could not be refined");
+      point.region = std::move(zero->region);
+      box = std::move(zero->box);
+    }
     store(point, from_scaled(*box), target_log2);
     return;
   }

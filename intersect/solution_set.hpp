@@ -20,7 +20,11 @@ struct EnclosedPoint {
   bridge::PlaneBall box;
   unsigned long multiplicity = 1;
   Reality reality = Reality::undecided;
-  /// Where it came from; the Krawczyk test where both are unset.
+  /// Where it came from: the Krawczyk test where class and product are unset.
+  /// The test in hardware doubles, in the scaled coordinates of the set.
+  std::optional<bridge::DiscCertificate> disc;
+  /// Where such a test has proven that there is no other solution, also scaled.
+  bridge::PlaneBall region;
   /// A class of the representation and a root of its factor.
   std::optional<std::size_t> class_index;
   std::size_t root_index = 0;
@@ -73,7 +77,7 @@ class SolutionSet {
   void find_exact_coordinate(std::size_t axis, const symbolic::Rational& value);
 
  private:
-  std::optional<bridge::PlaneBall> enclose_in_doubles(const bridge::PlaneBall& scaled_start, long radius_log2) const;
+  std::optional<bridge::DiscCertificate> certify_in_doubles(const bridge::PlaneBall& scaled_start) const;
   long scaled_target(long radius_log2) const;
   bridge::PlaneBall to_scaled(const bridge::PlaneBall& point) const;
   bridge::PlaneBall from_scaled(const bridge::PlaneBall& point) const;

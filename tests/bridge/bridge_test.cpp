@@ -107,10 +107,10 @@ TEST_CASE("Simple zero: enclosed as tightly as asked, from a rough start") {
     REQUIRE(enclosed.has_value());
     // 2 x^2 = 1.
     ComplexBall square;
-    acb_mul(square.get(), enclosed->x.get(), enclosed->x.get(), 10000);
+    acb_mul(square.get(), enclosed->box.x.get(), enclosed->box.x.get(), 10000);
     acb_mul_2exp_si(square.get(), square.get(), 1);
     CHECK(contains(square, 1));
-    CHECK(mag_cmp_2exp_si(arb_radref(enclosed->x.real()), target) <= 0);
+    CHECK(mag_cmp_2exp_si(arb_radref(enclosed->box.x.real()), target) <= 0);
   }
   CHECK_FALSE(enclose_simple_zero(BallCurve(curve("y - x^2")), BallCurve(curve("y")), point(0.01, 0), -60, 512));
 }
@@ -122,11 +122,11 @@ TEST_CASE("Reality: a zero near the real plane is told from a real one") {
   const BallCurve real(curve("x^2 - 10^(-20)"));
   const auto i_zero = enclose_simple_zero(imaginary, line, {ComplexBall(0, 1e-10), ComplexBall()}, -80, 1024);
   REQUIRE(i_zero.has_value());
-  CHECK_FALSE(zero_is_real(imaginary, line, *i_zero));
+  CHECK_FALSE(zero_is_real(imaginary, line, i_zero->box));
   const auto r_zero = enclose_simple_zero(real, line, point(1e-10, 0), -80, 1024);
   REQUIRE(r_zero.has_value());
-  CHECK(zero_is_real(real, line, *r_zero));
-  CHECK(enclose_same_zero(real, line, *r_zero, *r_zero));
+  CHECK(zero_is_real(real, line, r_zero->box));
+  CHECK(enclose_same_zero(real, line, r_zero->box, r_zero->box));
 }
 
 TEST_CASE("Root enclosure: all roots, isolated, real ones exactly real, zero exact") {
