@@ -151,9 +151,12 @@ class Solver {
     const Polynomial q = scaled(q_, scaling);
     graded_tried_ = true;
     add_candidates(graded_pencil_candidates(p, q, context_), 0, scaling, counts().bezout_number);
-    // Where more are missing, multiple solutions are the likely reason: the exact count will tell.
+    // Where more are missing, multiple solutions are the likely reason: the exact count will tell, and quickly where
+    // there are few solutions.
+    constexpr unsigned long few_solutions = 200;
     const unsigned long missing = counts().bezout_number - set_.points().size();
-    if (missing <= 4 + counts().bezout_number / 16) add_in_ball_arithmetic(counts().bezout_number);
+    if (counts().bezout_number > few_solutions && missing <= 4 + counts().bezout_number / 16)
+      add_in_ball_arithmetic(counts().bezout_number);
     clock_.finish("graded pencil");
     if (set_.points().size() < counts().bezout_number) return false;
     profile_.bezout_holds = true;

@@ -4,6 +4,8 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/representation_points.hpp>
 #include <eliminant/intersect/solution_set.hpp>
+#include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
+#include <eliminant/symbolic/arithmetic/rational_univariate.hpp>
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 #include <eliminant/symbolic/elimination/squarefree.hpp>
 
@@ -26,14 +28,14 @@ long part_radius_log2(arb_srcptr part) {
 symbolic::UnivariatePolynomial solutions_on_line(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
                                                  std::size_t axis, const symbolic::Rational& value) {
   const auto restrict_to_line = [&](const symbolic::Polynomial& curve) {
-    std::vector<symbolic::Polynomial> images(2, symbolic::Polynomial::constant(1, value));
-    images[1 - axis] = symbolic::Polynomial::variable(1, 0);
-    symbolic::UnivariatePolynomial result;
-    const symbolic::Polynomial restricted = curve.compose(images).primitive_part();
-    for (const auto& term : restricted.terms())
-      fmpz_poly_set_coeff_fmpz(result.get(), static_cast<slong>(term.exponents[0]),
-                               fmpq_numref(term.coefficient.get()));
-    return result;
+    const symbolic::HiddenVariablePolynomial rows = symbolic::hide_variable(curve, axis);
+    symbolic::RationalUnivariate restricted;
+    symbolic::Rational coefficient;
+    for (std::size_t j = 0; j < rows.coefficients.size(); ++j) {
+      fmpz_poly_evaluate_fmpq(coefficient.get(), rows.coefficients[j].get(), value.get());
+      fmpq_poly_set_coeff_fmpq(restricted.get(), static_cast<slong>(j), coefficient.get());
+    }
+    return restricted.numerator();
   };
   return symbolic::gcd(restrict_to_line(p), restrict_to_line(q));
 }

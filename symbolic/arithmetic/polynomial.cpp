@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include <eliminant/base/error.hpp>
@@ -16,10 +17,26 @@ void require_same_ring(const Polynomial& a, const Polynomial& b) {
                        "the same variables");
 }
 
+/// FLINT's description of the ring in so many variables: immutable, made once. Making one for each polynomial took
+/// longer than the arithmetic on small ones.
+const fmpq_mpoly_ctx_struct* shared_ring(std::size_t variable_count) {
+  constexpr std::size_t most_variables = 16;
+  using Rings = std::array<fmpq_mpoly_ctx_struct, most_variables + 1>;
+  static const Rings rings = [] {
+    Rings made{};
+    for (std::size_t n = 0; n < made.size(); ++n) fmpq_mpoly_ctx_init(&made[n], static_cast<slong>(n), ORD_LEX);
+    return made;
+  }();
+  if (variable_count > most_variables)
+    throw InvalidInput("a polynomial in " + std::to_string(variable_count) + " variables",
+                       "at most " + std::to_string(most_variables) + " variables");
+  return &rings[variable_count];
+}
+
 }  // namespace
 
-Polynomial::Polynomial(std::size_t variable_count) : variable_count_(variable_count) {
-  fmpq_mpoly_ctx_init(ring_, static_cast<slong>(variable_count), ORD_LEX);
+Polynomial::Polynomial(std::size_t variable_count)
+    : variable_count_(variable_count), ring_(shared_ring(variable_count)) {
   fmpq_mpoly_init(value_, ring_);
 }
 
@@ -63,15 +80,12 @@ Polynomial& Polynomial::operator=(const Polynomial& other) {
 
 Polynomial& Polynomial::operator=(Polynomial&& other) noexcept {
   std::swap(variable_count_, other.variable_count_);
-  std::swap(*ring_, *other.ring_);
+  std::swap(ring_, other.ring_);
   std::swap(*value_, *other.value_);
   return *this;
 }
 
-Polynomial::~Polynomial() {
-  fmpq_mpoly_clear(value_, ring_);
-  fmpq_mpoly_ctx_clear(ring_);
-}
+Polynomial::~Polynomial() { fmpq_mpoly_clear(value_, ring_); }
 
 bool Polynomial::is_zero() const { return fmpq_mpoly_is_zero(value_, ring_) != 0; }
 

@@ -63,7 +63,8 @@ class Polynomial {
 
  private:
   std::size_t variable_count_;
-  fmpq_mpoly_ctx_t ring_;
+  /// Shared by all polynomials in as many variables; never changed, never freed.
+  const fmpq_mpoly_ctx_struct* ring_;
   fmpq_mpoly_t value_;
 };
 
