@@ -134,7 +134,7 @@ void multiplication_matrices(benchmark::State& state) {
 /// Eigenvalues and eigenvectors of a combination of the multiplication matrices, and the points read off them.
 void multiplication_points(benchmark::State& state) {
   const auto matrices = RoundedPair(state.range(0)).multiplication();
-  for (auto _ : state) benchmark::DoNotOptimize(numeric::points_of(matrices));
+  for (auto _ : state) benchmark::DoNotOptimize(numeric::points_by_eigenvectors(matrices));
   state.counters["size"] = static_cast<double>(matrices.x.rows());
 }
 
@@ -190,7 +190,7 @@ void univariate_representation(benchmark::State& state) {
 void disc_certificate(benchmark::State& state) {
   const RoundedPair rounded(state.range(0));
   constexpr int newton_steps = 12;
-  std::vector<numeric::PlanePoint<double>> points = numeric::points_of(rounded.multiplication());
+  std::vector<numeric::PlanePoint<double>> points = numeric::points_by_eigenvectors(rounded.multiplication());
   for (auto& point : points) point = numeric::newton_refinement<double>(rounded.p, rounded.q, point, newton_steps);
   const auto p = bridge::RoundedCurve::round(rounded.pair.p);
   const auto q = bridge::RoundedCurve::round(rounded.pair.q);

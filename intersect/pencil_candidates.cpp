@@ -141,7 +141,8 @@ PencilCandidates pencil_candidates(const Polynomial& p, const Polynomial& q, std
   return result;
 }
 
-PencilCandidates graded_pencil_candidates(const Polynomial& p, const Polynomial& q, const Context& context) {
+PencilCandidates graded_pencil_candidates(const Polynomial& p, const Polynomial& q, bool eigenvectors,
+                                          const Context& context) {
   context.checkpoint("building the resultant matrix");
   const bool exchanged = p.total_degree() < q.total_degree();
   const Polynomial& f = exchanged ? q : p;
@@ -163,7 +164,10 @@ PencilCandidates graded_pencil_candidates(const Polynomial& p, const Polynomial&
   const auto matrices =
       numeric::multiplication_matrices<double>(bridge::round_matrix<double>(matrix).value, f_rounded, g_rounded, m, n);
   if (!matrices) return result;
-  for (const numeric::PlanePoint<double>& found : numeric::points_of(*matrices)) {
+  const std::vector<numeric::PlanePoint<double>> points =
+      eigenvectors ? numeric::points_by_eigenvectors(*matrices)
+                   : numeric::points_by_eigenvalues(*matrices, f_rounded, g_rounded, m, n);
+  for (const numeric::PlanePoint<double>& found : points) {
     if (!numeric::is_finite(found.x) || !numeric::is_finite(found.y)) continue;
     const numeric::PlanePoint<double> refined =
         numeric::newton_refinement<double>(f_rounded, g_rounded, found, newton_steps);

@@ -29,9 +29,10 @@ PencilCandidates pencil_candidates(const symbolic::Polynomial& p, const symbolic
                                    int precision_bits, const Options& options, const Context& context);
 
 /// Runs the graded pencil of the hybrid Bezout matrix in double precision (numeric/multiplication_matrix): as many
-/// candidates as Bezout's number. p and q are as above and their leading forms are coprime.
+/// candidates as Bezout's number, one of each conjugate pair. The points come from the eigenvectors or, faster, from
+/// the eigenvalues alone. p and q are as above and their leading forms are coprime.
 PencilCandidates graded_pencil_candidates(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
-                                          const Context& context);
+                                          bool eigenvectors, const Context& context);
 
 /// Upper bound of the columns of the companion pencil of that matrix with the variable `hidden` hidden.
 long companion_pencil_size(const symbolic::Polynomial& p, const symbolic::Polynomial& q, std::size_t hidden,

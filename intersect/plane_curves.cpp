@@ -150,7 +150,7 @@ class Solver {
     const Polynomial p = scaled(p_, scaling);
     const Polynomial q = scaled(q_, scaling);
     graded_tried_ = true;
-    add_candidates(graded_pencil_candidates(p, q, context_), 0, scaling, counts().bezout_number);
+    add_candidates(graded_pencil_candidates(p, q, false, context_), 0, scaling, counts().bezout_number);
     // Where more are missing, multiple solutions are the likely reason: the exact count will tell, and quickly where
     // there are few solutions.
     constexpr unsigned long few_solutions = 200;
@@ -235,7 +235,14 @@ class Solver {
     const Polynomial p = scaled(p_, scaling);
     const Polynomial q = scaled(q_, scaling);
     const std::size_t first = smaller_pencil_variable(p, q, options_.matrix);
-    add_in_ball_arithmetic(expected_simple());
+    if (graded_tried_ && set_.points().size() < expected_simple()) {
+      // Eigenvalues alone did not lead to all; what they left waits no longer than the eigenvectors' answers.
+      std::vector<PencilCandidates::Candidate> left = std::move(unproven_);
+      add_candidates(graded_pencil_candidates(p, q, true, context_), 0, scaling, expected_simple());
+      unproven_.insert(unproven_.end(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));
+      add_in_ball_arithmetic(expected_simple());
+      clock_.finish("graded pencil with eigenvectors");
+    }
     for (const int precision_bits : ladder) {
       // The other orientation is a second, independent chance.
       for (const std::size_t hidden : {first, 1 - first}) {

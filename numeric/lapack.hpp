@@ -10,6 +10,25 @@ void dggev_(const char* jobvl, const char* jobvr, const int* n, double* a, const
 /// Eigenvalues and right eigenvectors of a real matrix, balanced, by the QR algorithm.
 void dgeev_(const char* jobvl, const char* jobvr, const int* n, double* a, const int* lda, double* wr, double* wi,
             double* vl, const int* ldvl, double* vr, const int* ldvr, double* work, const int* lwork, int* info);
+/// Balancing; reduction to Hessenberg form; its eigenvalues by the multishift and by the plain QR algorithm.
+void dgebal_(const char* job, const int* n, double* a, const int* lda, int* ilo, int* ihi, double* scale, int* info);
+void dgehrd_(const int* n, const int* ilo, const int* ihi, double* a, const int* lda, double* tau, double* work,
+             const int* lwork, int* info);
+void dhseqr_(const char* job, const char* compz, const int* n, const int* ilo, const int* ihi, double* h,
+             const int* ldh, double* wr, double* wi, double* z, const int* ldz, double* work, const int* lwork,
+             int* info);
+void dlahqr_(const int* wantt, const int* wantz, const int* n, const int* ilo, const int* ihi, double* h,
+             const int* ldh, double* wr, double* wi, const int* iloz, const int* ihiz, double* z, const int* ldz,
+             int* info);
+/// Eigenvectors of a Hessenberg matrix to chosen eigenvalues by inverse iteration; the way back through dgehrd, dgebal.
+void dhsein_(const char* side, const char* eigsrc, const char* initv, int* select, const int* n, const double* h,
+             const int* ldh, double* wr, const double* wi, double* vl, const int* ldvl, double* vr, const int* ldvr,
+             const int* mm, int* m, double* work, int* ifaill, int* ifailr, int* info);
+void dormhr_(const char* side, const char* trans, const int* m, const int* n, const int* ilo, const int* ihi,
+             const double* a, const int* lda, const double* tau, double* c, const int* ldc, double* work,
+             const int* lwork, int* info);
+void dgebak_(const char* job, const char* side, const int* n, const int* ilo, const int* ihi, const double* scale,
+             const int* m, double* v, const int* ldv, int* info);
 /// LU factorisation with partial pivoting.
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
 }

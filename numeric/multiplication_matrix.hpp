@@ -38,15 +38,19 @@ std::optional<MultiplicationMatrices<Scalar>> multiplication_matrices(const Matr
                                                                       const BivariatePolynomial<Scalar>& q, long m,
                                                                       long n);
 
-/// The points that the eigenvectors of a generic combination of X and Y name, D of them; empty when the QR algorithm
-/// does not converge. Simple points come out near solutions; multiple ones need other means.
-template <class Scalar>
-std::vector<PlanePoint<Scalar>> points_of(const MultiplicationMatrices<Scalar>& matrices);
+/// The points that the eigenvectors of a generic combination of X and Y name, D of them (one of each conjugate pair);
+/// empty when the QR algorithm does not converge. Simple points come out near solutions; multiple ones need other
+/// means.
+std::vector<PlanePoint<double>> points_by_eigenvectors(const MultiplicationMatrices<double>& matrices);
+
+/// The same by the eigenvalues t of a generic combination alone, in two thirds of the time: the point is the common
+/// zero of p and q on the line of the value t (common_zero_on_line).
+std::vector<PlanePoint<double>> points_by_eigenvalues(const MultiplicationMatrices<double>& matrices,
+                                                      const BivariatePolynomial<double>& p,
+                                                      const BivariatePolynomial<double>& q, long m, long n);
 
 extern template std::optional<MultiplicationMatrices<double>> multiplication_matrices(
     const MatrixPolynomial<double>&, const BivariatePolynomial<double>&, const BivariatePolynomial<double>&, long,
     long);
-template <>
-std::vector<PlanePoint<double>> points_of(const MultiplicationMatrices<double>& matrices);
 
 }  // namespace eliminant::numeric

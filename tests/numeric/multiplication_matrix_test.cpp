@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <eliminant/numeric/line_lifting.hpp>
 #include <eliminant/numeric/multiplication_matrix.hpp>
 
 using namespace eliminant::numeric;
@@ -38,12 +39,46 @@ TEST_CASE("Graded pencil: multiplication matrices commute and have the solutions
   // x^2 + y^2 = 5 and x y = 2 hold for the matrices.
   CHECK((matrices->x * matrices->x + matrices->y * matrices->y - 5 * Matrix<double>::Identity(4, 4)).norm() < 1e-13);
   CHECK((matrices->x * matrices->y - 2 * Matrix<double>::Identity(4, 4)).norm() < 1e-13);
-  const std::vector<PlanePoint<double>> points = points_of(*matrices);
-  REQUIRE(points.size() == 4);
-  for (const auto& expected : {std::pair{1.0, 2.0}, {2.0, 1.0}, {-1.0, -2.0}, {-2.0, -1.0}})
-    CHECK(std::count_if(points.begin(), points.end(), [&](const PlanePoint<double>& point) {
-            return std::abs(point.x - expected.first) < 1e-12 && std::abs(point.y - expected.second) < 1e-12;
-          }) == 1);
+  for (const auto& points : {points_by_eigenvectors(*matrices), points_by_eigenvalues(*matrices, p, q, 2, 2)}) {
+    REQUIRE(points.size() == 4);
+    for (const auto& expected : {std::pair{1.0, 2.0}, {2.0, 1.0}, {-1.0, -2.0}, {-2.0, -1.0}})
+      CHECK(std::count_if(points.begin(), points.end(), [&](const PlanePoint<double>& point) {
+              return std::abs(point.x - expected.first) < 1e-12 && std::abs(point.y - expected.second) < 1e-12;
+            }) == 1);
+  }
+}
+
+TEST_CASE("Line lifting: the common zero on a line, for all pairs of degrees") {
+  // Products of lines; only x + y = 3 and y = 2 x meet in (1, 2).
+  using Complex = std::complex<double>;
+  const auto times_line = [](const Matrix<double>& p, double a, double b, double c) {  // a x + b y + c
+    Matrix<double> product = Matrix<double>::Zero(p.rows() + 1, p.cols() + 1);
+    product.bottomLeftCorner(p.rows(), p.cols()) += a * p;
+    product.topRightCorner(p.rows(), p.cols()) += b * p;
+    product.topLeftCorner(p.rows(), p.cols()) += c * p;
+    return product;
+  };
+  const LinePencil lines{0.9, 0.2};
+  for (long m = 1; m <= 4; ++m)
+    for (long n = 1; n <= m; ++n) {
+      CAPTURE(m);
+      CAPTURE(n);
+      BivariatePolynomial<double> p{Matrix<double>::Ones(1, 1)};
+      BivariatePolynomial<double> q{Matrix<double>::Ones(1, 1)};
+      for (long k = 0; k < m; ++k) {
+        const auto slope = static_cast<double>(k + 1);
+        p.coefficients = times_line(p.coefficients, slope, 1, k == 0 ? -3 : 1 - 5 * slope);
+      }
+      for (long k = 0; k < n; ++k) {
+        const auto slope = static_cast<double>(k + 2);
+        q.coefficients = times_line(q.coefficients, slope, -1, k == 0 ? 0 : 7 * slope);
+      }
+      const Complex t = lines.x_weight * 1 + lines.y_weight * 2;
+      const auto point = common_zero_on_line(p, q, m, n, lines, t);
+      REQUIRE(point.has_value());
+      CHECK(std::abs(point->x - 1.0) < 1e-10);
+      CHECK(std::abs(point->y - 2.0) < 1e-10);
+    }
 }
 
 TEST_CASE("Graded pencil: curves with a common point at infinity have no top coefficients to invert") {
