@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/round_matrix.hpp>
 #include <eliminant/intersect/pencil_candidates.hpp>
+#include <eliminant/numeric/eigenvalue_clusters.hpp>
 #include <eliminant/numeric/multiplication_matrix.hpp>
 #include <eliminant/numeric/newton_refinement.hpp>
 #include <eliminant/numeric/resultant_solver.hpp>
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 #include <eliminant/symbolic/elimination/exact_ranks.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
+#include <eliminant/symbolic/elimination/solution_profile.hpp>
 #include <eliminant/symbolic/matrices/bezout_matrix.hpp>
 #include <eliminant/symbolic/matrices/hybrid_bezout_matrix.hpp>
 #include <eliminant/symbolic/matrices/sylvester_matrix.hpp>
@@ -96,6 +99,34 @@ PencilCandidates solve_rounded(const HiddenVariablePolynomial& f, const HiddenVa
   return result;
 }
 
+/// The graded pencil of two curves that do not meet at infinity.
+struct GradedPencil {
+  long m = 0;  ///< the larger degree
+  long n = 0;
+  long matrix_degree = 0;
+  numeric::BivariatePolynomial<double> f, g;  ///< of degrees m and n
+  std::optional<numeric::MultiplicationMatrices<double>> matrices;
+};
+
+GradedPencil graded_pencil(const Polynomial& p, const Polynomial& q, const Context& context) {
+  context.checkpoint("building the resultant matrix");
+  const bool exchanged = p.total_degree() < q.total_degree();
+  const Polynomial& f = exchanged ? q : p;
+  const Polynomial& g = exchanged ? p : q;
+  GradedPencil pencil;
+  pencil.m = f.total_degree();
+  pencil.n = g.total_degree();
+  const PolynomialMatrix matrix =
+      symbolic::hybrid_bezout_matrix(symbolic::hide_variable(f, 0), symbolic::hide_variable(g, 0), pencil.m, pencil.n);
+  pencil.matrix_degree = matrix.degree();
+  pencil.f = bridge::round_polynomial<double>(f).value;
+  pencil.g = bridge::round_polynomial<double>(g).value;
+  context.checkpoint("eigenvalues");
+  pencil.matrices = numeric::multiplication_matrices<double>(bridge::round_matrix<double>(matrix).value, pencil.f,
+                                                             pencil.g, pencil.m, pencil.n);
+  return pencil;
+}
+
 }  // namespace
 
 PencilCandidates pencil_candidates(const Polynomial& p, const Polynomial& q, std::size_t hidden, int precision_bits,
@@ -143,38 +174,90 @@ PencilCandidates pencil_candidates(const Polynomial& p, const Polynomial& q, std
 
 PencilCandidates graded_pencil_candidates(const Polynomial& p, const Polynomial& q, bool eigenvectors,
                                           const Context& context) {
-  context.checkpoint("building the resultant matrix");
-  const bool exchanged = p.total_degree() < q.total_degree();
-  const Polynomial& f = exchanged ? q : p;
-  const Polynomial& g = exchanged ? p : q;
-  const long m = f.total_degree();
-  const long n = g.total_degree();
-  const PolynomialMatrix matrix =
-      symbolic::hybrid_bezout_matrix(symbolic::hide_variable(f, 0), symbolic::hide_variable(g, 0), m, n);
-  const numeric::BivariatePolynomial<double> f_rounded = bridge::round_polynomial<double>(f).value;
-  const numeric::BivariatePolynomial<double> g_rounded = bridge::round_polynomial<double>(g).value;
+  const GradedPencil pencil = graded_pencil(p, q, context);
   PencilCandidates result;
   result.report.matrix = "hybrid";
-  result.report.matrix_size = m;
-  result.report.matrix_degree = matrix.degree();
-  result.report.pencil_size = m * n;
-  result.report.regular_size = m * n;
+  result.report.matrix_size = pencil.m;
+  result.report.matrix_degree = pencil.matrix_degree;
+  result.report.pencil_size = pencil.m * pencil.n;
+  result.report.regular_size = pencil.m * pencil.n;
   result.report.precision_bits = 53;
-  context.checkpoint("eigenvalues");
-  const auto matrices =
-      numeric::multiplication_matrices<double>(bridge::round_matrix<double>(matrix).value, f_rounded, g_rounded, m, n);
-  if (!matrices) return result;
+  if (!pencil.matrices) return result;
   const std::vector<numeric::PlanePoint<double>> points =
-      eigenvectors ? numeric::points_by_eigenvectors(*matrices)
-                   : numeric::points_by_eigenvalues(*matrices, f_rounded, g_rounded, m, n);
+      eigenvectors ? numeric::points_by_eigenvectors(*pencil.matrices)
+                   : numeric::points_by_eigenvalues(*pencil.matrices, pencil.f, pencil.g, pencil.m, pencil.n);
   for (const numeric::PlanePoint<double>& found : points) {
     if (!numeric::is_finite(found.x) || !numeric::is_finite(found.y)) continue;
     const numeric::PlanePoint<double> refined =
-        numeric::newton_refinement<double>(f_rounded, g_rounded, found, newton_steps);
+        numeric::newton_refinement<double>(pencil.f, pencil.g, found, newton_steps);
     result.candidates.push_back(
         {{exact_ball(found.x), exact_ball(found.y)}, {exact_ball(refined.x), exact_ball(refined.y)}});
   }
   return result;
+}
+
+namespace {
+
+/// Projective coordinates (x : y : z) = A (u : v : 1).
+using Chart = std::array<std::array<long, 3>, 3>;
+
+/// The clusters of the graded pencil in one chart; nullopt when it is in doubt which are at infinity, too.
+std::optional<PencilMultiplicities> multiplicities_in_chart(const Polynomial& f, const Polynomial& g,
+                                                            const Chart& chart, const Context& context) {
+  const GradedPencil pencil = graded_pencil(f, g, context);
+  if (!pencil.matrices) return std::nullopt;
+  const auto points = numeric::points_by_clusters(*pencil.matrices);
+  if (!points) return std::nullopt;
+  // The mean of a part of a cluster is no zero.
+  const auto is_zero = [](const numeric::BivariatePolynomial<double>& curve, const numeric::PlanePoint<double>& point) {
+    const numeric::BivariatePolynomial<double> majorant{curve.coefficients.cwiseAbs()};
+    const double largest = std::abs(numeric::jet<double>(majorant, std::abs(point.x), std::abs(point.y)).value);
+    constexpr double tolerance = 1e-9;
+    return std::abs(numeric::jet(curve, point.x, point.y).value) <= tolerance * largest;
+  };
+  PencilMultiplicities result;
+  for (const numeric::ClusteredPoint& each : *points) {
+    if (!is_zero(pencil.f, each.point) || !is_zero(pencil.g, each.point)) return std::nullopt;
+    std::array<double, 3> moduli{};
+    for (std::size_t row = 0; row < 3; ++row) {
+      const auto weight = [&](std::size_t column) { return static_cast<double>(chart[row][column]); };
+      moduli[row] = std::abs(weight(0) * each.point.x + weight(1) * each.point.y + weight(2));
+    }
+    const double relative_z = moduli[2] / *std::max_element(moduli.begin(), moduli.end());
+    constexpr double surely_nothing = 1e-8;
+    constexpr double surely_something = 1e-4;
+    if (!(relative_z <= surely_nothing) && !(relative_z >= surely_something)) return std::nullopt;
+    const auto multiplicity = static_cast<unsigned long>(each.multiplicity);
+    if (relative_z <= surely_nothing) {
+      result.at_infinity += multiplicity;
+      continue;
+    }
+    auto& distinct = result.distinct_by_multiplicity;
+    distinct.resize(std::max<std::size_t>(distinct.size(), multiplicity), 0);
+    ++distinct[multiplicity - 1];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<PencilMultiplicities> pencil_multiplicities(const Polynomial& p, const Polynomial& q, std::uint64_t seed,
+                                                          const Context& context) {
+  // The first chart is the affine plane itself; in each of the others another line is at infinity.
+  static constexpr std::array<Chart, 5> charts{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                                                {{{2, 1, 1}, {-1, 2, 1}, {1, -1, 2}}},
+                                                {{{1, -2, 2}, {2, 2, -1}, {-2, 1, 3}}},
+                                                {{{3, 1, -1}, {1, -2, 2}, {1, 3, 2}}},
+                                                {{{2, -3, 1}, {3, 1, 2}, {3, 2, -2}}}}};
+  for (const Chart& chart : charts) {
+    const Polynomial f = symbolic::projective_image(p, chart);
+    const Polynomial g = symbolic::projective_image(q, chart);
+    if (f.total_degree() != p.total_degree() || g.total_degree() != q.total_degree() ||
+        !symbolic::do_not_meet_at_infinity(f, g, seed))
+      continue;
+    if (auto found = multiplicities_in_chart(f, g, chart, context)) return found;
+  }
+  return std::nullopt;
 }
 
 long companion_pencil_size(const Polynomial& p, const Polynomial& q, std::size_t hidden, ResultantMatrix matrix) {

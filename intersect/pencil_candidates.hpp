@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
@@ -33,6 +34,13 @@ PencilCandidates pencil_candidates(const symbolic::Polynomial& p, const symbolic
 /// the eigenvalues alone. p and q are as above and their leading forms are coprime.
 PencilCandidates graded_pencil_candidates(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
                                           bool eigenvectors, const Context& context);
+
+/// The multiplicities of all solutions, those at infinity too, as the clusters of the graded pencil show them in double
+/// precision (numeric/eigenvalue_clusters). Where the curves meet at infinity the pencil is that of a projective image
+/// in which they do not, and
+/// so is the second opinion where combinations disagree. p and q as above; nullopt: in doubt.
+std::optional<PencilMultiplicities> pencil_multiplicities(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
+                                                          std::uint64_t seed, const Context& context);
 
 /// Upper bound of the columns of the companion pencil of that matrix with the variable `hidden` hidden.
 long companion_pencil_size(const symbolic::Polynomial& p, const symbolic::Polynomial& q, std::size_t hidden,

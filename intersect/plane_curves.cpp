@@ -94,6 +94,7 @@ class Solver {
       throw LimitReached("the curves of degrees " + std::to_string(p_.total_degree()) + " and " +
                          std::to_string(q_.total_degree()) + " may have " + std::to_string(counts().bezout_number) +
                          " intersections; the limit is " + std::to_string(largest_bezout_number));
+    if (options_.engine == Engine::pencil) count_by_clusters();
     if (!solve_product() && !solve_generic()) solve_counted();
     set_.decide_reality();
     clock_.finish("certification");
@@ -132,6 +133,16 @@ class Solver {
     counts().with_multiplicity = counts().bezout_number;
     clock_.finish("roots of both polynomials");
     return true;
+  }
+
+  /// The pencil's own word on the multiplicities, before the exact side is asked.
+  void count_by_clusters() {
+    constexpr unsigned long most_solutions = 100;
+    if (counts().bezout_number > most_solutions) return;
+    const bridge::PowerOfTwoScaling scaling = bridge::choose_scaling(p_, q_);
+    result_.engine.pencil_multiplicities =
+        pencil_multiplicities(scaled(p_, scaling), scaled(q_, scaling), options_.seed, context_);
+    clock_.finish("clusters of the graded pencil");
   }
 
   /// The generic case, which needs no elimination: nothing at infinity, and as many simple solutions proven as Bezout's

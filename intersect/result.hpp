@@ -56,6 +56,15 @@ struct Counts {
   unsigned long listed = 0;
 };
 
+/// How many distinct points of which multiplicity the numeric clusters of a pencil show, without any exact help.
+struct PencilMultiplicities {
+  /// Affine points of multiplicity k at index k - 1.
+  std::vector<unsigned long> distinct_by_multiplicity;
+  unsigned long at_infinity = 0;
+
+  friend bool operator==(const PencilMultiplicities&, const PencilMultiplicities&) = default;
+};
+
 /// What ran. Fields that do not apply stay at their defaults and are not printed.
 struct EngineReport {
   std::string method;           ///< "pencil", "exact" or "none" (nothing had to be solved)
@@ -71,6 +80,8 @@ struct EngineReport {
   std::optional<long> shear;
   /// Largest change of a coordinate (relative to max(1, |coordinate|)) by the refinement of the pencil's solutions.
   std::optional<double> largest_error_before_refinement;
+  /// Of the pencil engine alone, for up to 100 solutions: for comparison, nothing rests on it.
+  std::optional<PencilMultiplicities> pencil_multiplicities;
   std::uint64_t seed = 0;
 };
 

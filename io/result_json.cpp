@@ -56,6 +56,9 @@ Json engine_json(const intersect::EngineReport& engine) {
   if (engine.shear) out["shear"] = *engine.shear;
   if (engine.largest_error_before_refinement)
     out["largest_error_before_refinement"] = *engine.largest_error_before_refinement;
+  if (engine.pencil_multiplicities)
+    out["pencil_multiplicities"] = {{"distinct", engine.pencil_multiplicities->distinct_by_multiplicity},
+                                    {"at_infinity", engine.pencil_multiplicities->at_infinity}};
   out["seed"] = engine.seed;
   return out;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <complex>
+
 // The LAPACK routines used, declared here because Debian's and Ubuntu's C interface is an optional package.
 extern "C" {
 /// Generalized eigenvalues and right eigenvectors of a real pencil by the QZ algorithm [MolerStewart1973].
@@ -29,6 +31,13 @@ void dormhr_(const char* side, const char* trans, const int* m, const int* n, co
              const int* lwork, int* info);
 void dgebak_(const char* job, const char* side, const int* n, const int* ilo, const int* ihi, const double* scale,
              const int* m, double* v, const int* ldv, int* info);
+/// Schur form of a complex matrix; reordering it, with condition numbers [BaiDemmelMcKenney1993].
+void zgees_(const char* jobvs, const char* sort, int (*select)(const std::complex<double>*), const int* n,
+            std::complex<double>* a, const int* lda, int* sdim, std::complex<double>* w, std::complex<double>* vs,
+            const int* ldvs, std::complex<double>* work, const int* lwork, double* rwork, int* bwork, int* info);
+void ztrsen_(const char* job, const char* compq, const int* select, const int* n, std::complex<double>* t,
+             const int* ldt, std::complex<double>* q, const int* ldq, std::complex<double>* w, int* m, double* s,
+             double* sep, std::complex<double>* work, const int* lwork, int* info);
 /// LU factorisation with partial pivoting.
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -44,6 +45,27 @@ Polynomial exchange_variables(const Polynomial& p) {
   std::vector<Polynomial::Term> terms = p.terms();
   for (auto& term : terms) std::swap(term.exponents[0], term.exponents[1]);
   return Polynomial::from_terms(2, terms);
+}
+
+Polynomial projective_image(const Polynomial& p, const std::array<std::array<long, 3>, 3>& a) {
+  require_bivariate(p);
+  const Polynomial u = Polynomial::variable(2, 0);
+  const Polynomial v = Polynomial::variable(2, 1);
+  const auto degree = static_cast<std::size_t>(std::max(0L, p.total_degree()));
+  std::array<std::vector<Polynomial>, 3> powers;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const Polynomial form =
+        Rational(a[row][0]) * u + Rational(a[row][1]) * v + Polynomial::constant(2, Rational(a[row][2]));
+    powers[row].push_back(Polynomial::constant(2, Rational(1)));
+    for (std::size_t k = 0; k < degree; ++k) powers[row].push_back(powers[row].back() * form);
+  }
+  Polynomial image(2);
+  for (const Polynomial::Term& term : p.terms()) {
+    const std::size_t i = term.exponents[0];
+    const std::size_t j = term.exponents[1];
+    image = image + term.coefficient * (powers[0][i] * powers[1][j] * powers[2][degree - i - j]);
+  }
+  return image.primitive_part();
 }
 
 }  // namespace eliminant::symbolic

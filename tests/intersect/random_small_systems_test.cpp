@@ -135,6 +135,7 @@ std::vector<unsigned long> counts(const Result& result) {
 }
 
 struct Tally {
+  unsigned long counted_by_clusters = 0;
   unsigned long with_multiple_point = 0;
   unsigned long with_points_at_infinity = 0;
   unsigned long infinite = 0;
@@ -175,6 +176,20 @@ void check_system(unsigned long seed, Tally& tally) {
     MESSAGE("the pencil alone does not prove seed ", seed, ": ", text(system.p), ", ", text(system.q));
   }
 
+  // The clusters of the pencil, before the exact side is asked.
+  PencilMultiplicities expected;
+  expected.at_infinity = automatic.counts.at_infinity;
+  for (const Solution& solution : automatic.solutions) {
+    auto& distinct = expected.distinct_by_multiplicity;
+    distinct.resize(std::max<std::size_t>(distinct.size(), solution.multiplicity), 0);
+    ++distinct[solution.multiplicity - 1];
+  }
+  if (const auto& found = pencil.engine.pencil_multiplicities) {
+    ++tally.counted_by_clusters;
+    CHECK(found->distinct_by_multiplicity == expected.distinct_by_multiplicity);
+    CHECK(found->at_infinity == expected.at_infinity);
+  }
+
   if (automatic.counts.with_multiplicity > automatic.counts.distinct) ++tally.with_multiple_point;
   if (automatic.counts.at_infinity > 0) ++tally.with_points_at_infinity;
   if (automatic.status == Status::infinite) ++tally.infinite;
@@ -193,9 +208,10 @@ TEST_CASE("Random small systems: the engines agree on status, counts, multiplici
   }
   MESSAGE(count, " systems: ", tally.with_multiple_point, " with a multiple point, ", tally.with_points_at_infinity,
           " with solutions at infinity, ", tally.infinite, " infinite, ", tally.unproven_by_pencil,
-          " not proven by the pencil alone");
+          " not proven by the pencil alone, ", tally.counted_by_clusters, " with multiplicities from its clusters");
   // Degeneracies abound.
   CHECK(4 * tally.with_multiple_point >= count);
   CHECK(4 * tally.with_points_at_infinity >= count);
   CHECK(100 * tally.infinite >= count);
+  CHECK(100 * tally.counted_by_clusters >= 95 * count);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
+
+#include <eliminant/numeric/eigenvalue_clusters.hpp>
 #include <eliminant/numeric/line_lifting.hpp>
 #include <eliminant/numeric/multiplication_matrix.hpp>
 
@@ -90,4 +93,33 @@ TEST_CASE("Graded pencil: curves with a common point at infinity have no top coe
   matrix.coefficients.assign(2, Matrix<double>::Zero(2, 2));
   matrix.coefficients[0](0, 0) = 1;
   CHECK_FALSE(multiplication_matrices<double>(matrix, p, p, 2, 2).has_value());
+}
+
+TEST_CASE("Eigenvalue clusters: multiplicities as dimensions of invariant subspaces, the mean well-conditioned") {
+  // (x - 1)^2 = 0 and y^2 (y - 2) = 0: (1, 0) with multiplicity 4 and (1, 2) with multiplicity 2, in a random basis.
+  Matrix<double> x_block(2, 2);
+  x_block << 0, 1, -1, 2;
+  Matrix<double> y_block(3, 3);
+  y_block << 0, 1, 0, 0, 0, 1, 0, 0, 2;
+  const auto kronecker = [](const Matrix<double>& a, const Matrix<double>& b) {
+    Matrix<double> product(a.rows() * b.rows(), a.cols() * b.cols());
+    for (long i = 0; i < a.rows(); ++i)
+      for (long j = 0; j < a.cols(); ++j) product.block(i * b.rows(), j * b.cols(), b.rows(), b.cols()) = a(i, j) * b;
+    return product;
+  };
+  Matrix<double> basis(6, 6);
+  for (long i = 0; i < 6; ++i)
+    for (long j = 0; j < 6; ++j) basis(i, j) = std::sin(static_cast<double>(7 * i * i + 3 * j + 1));
+  const Matrix<double> inverse = basis.inverse();
+  MultiplicationMatrices<double> matrices;
+  matrices.x = inverse * kronecker(x_block, Matrix<double>::Identity(3, 3)) * basis;
+  matrices.y = inverse * kronecker(Matrix<double>::Identity(2, 2), y_block) * basis;
+  const auto points = points_by_clusters(matrices);
+  REQUIRE(points.has_value());
+  REQUIRE(points->size() == 2);
+  for (const ClusteredPoint& each : *points) {
+    CHECK(std::abs(each.point.x - 1.0) < 1e-10);
+    CHECK(std::abs(each.point.y - (each.multiplicity == 4 ? 0.0 : 2.0)) < 1e-10);
+    CHECK((each.multiplicity == 4 || each.multiplicity == 2));
+  }
 }
