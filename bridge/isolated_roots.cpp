@@ -104,13 +104,15 @@ double magnitude_log2(const ComplexBall& z) {
 /// The approximations of all roots on the way to isolation.
 class Isolation {
  public:
-  Isolation(const symbolic::UnivariatePolynomial& p, const Context& context)
+  Isolation(const symbolic::UnivariatePolynomial& p, const std::vector<ComplexBall>& approximations,
+            const Context& context)
       : p_(p), degree_(p.degree()), context_(context) {
     std::vector<numeric::ScaledReal> coefficients;
     for (long i = 0; i <= degree_; ++i) coefficients.push_back(scaled(p.coefficient(i)));
     constexpr int max_sweeps = 60;
     for (const numeric::ScaledComplex& z : numeric::ehrlich_aberth(coefficients, max_sweeps))
-      roots_.push_back({exact_ball(z), {}, {}, false});
+      roots_.push_back({exact_ball(z), {}, {}});
+    replace_nearest(approximations);
   }
 
   std::vector<ComplexBall> run() {
@@ -139,6 +141,28 @@ class Isolation {
     bool settled = false;            ///< noisy, or the last step changed only the last digits
     bool active = true;              ///< not isolated from all others
   };
+
+  /// Each approximation takes the place of the nearest value that no other one has taken.
+  void replace_nearest(const std::vector<ComplexBall>& approximations) {
+    std::vector<bool> taken(roots_.size(), false);
+    const std::size_t count = std::min(approximations.size(), roots_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const ComplexBall z = midpoint(approximations[i]);
+      std::optional<std::size_t> nearest;
+      double smallest = INFINITY;
+      for (std::size_t j = 0; j < roots_.size(); ++j) {
+        if (taken[j]) continue;
+        ComplexBall difference;
+        acb_sub(difference.get(), z.get(), roots_[j].z.get(), 64);
+        const double distance = magnitude_log2(difference);
+        if (nearest && distance >= smallest) continue;
+        nearest = j;
+        smallest = distance;
+      }
+      taken[*nearest] = true;
+      roots_[*nearest].z = z;
+    }
+  }
 
   void update(Root& root, const RealBallPolynomial& rounded, long precision_bits) const {
     root.value = evaluate(rounded, root.z, precision_bits);
@@ -318,12 +342,13 @@ class Isolation {
 
 }  // namespace
 
-IsolatedRoots::IsolatedRoots(const symbolic::UnivariatePolynomial& squarefree, const Context& context)
+IsolatedRoots::IsolatedRoots(const symbolic::UnivariatePolynomial& squarefree, const Context& context,
+                             const std::vector<ComplexBall>& approximations)
     : p_(squarefree) {
   const bool zero = fmpz_is_zero(p_.coefficient(0).get()) != 0;
   if (zero) fmpz_poly_shift_right(p_.get(), p_.get(), 1);
   if (p_.degree() >= 1) {
-    balls_ = Isolation(p_, context).run();
+    balls_ = Isolation(p_, approximations, context).run();
     decide_reality(context);
   }
   if (zero) {

@@ -21,8 +21,10 @@ namespace eliminant::bridge {
 class IsolatedRoots {
  public:
   IsolatedRoots() = default;
-  /// Isolates the roots; the degree is at least 1.
-  IsolatedRoots(const symbolic::UnivariatePolynomial& squarefree, const Context& context);
+  /// Isolates the roots; the degree is at least 1. `approximations` of some roots, possibly none and possibly wrong,
+  /// make it quicker where the roots are ill-conditioned; the midpoints count.
+  IsolatedRoots(const symbolic::UnivariatePolynomial& squarefree, const Context& context,
+                const std::vector<ComplexBall>& approximations = {});
 
   const std::vector<ComplexBall>& balls() const { return balls_; }
   /// Makes the radius of one ball at most 2^-relative_bits times the modulus of the root, by Newton's method; the

@@ -347,6 +347,7 @@ class Solver {
 
   /// Multiple solutions come from the representation, and so do the simple ones that the pencil did not all find.
   void add_exact_classes(bool pencil_complete) {
+    std::vector<bridge::PlaneBall> known;
     if (!pencil_complete && options_.engine == Engine::pencil) {
       result_.warnings.push_back("the pencil engine found " + std::to_string(set_.points().size()) + " of " +
                                  std::to_string(expected_simple()) + " simple solutions");
@@ -357,13 +358,19 @@ class Solver {
         result_.warnings.push_back("the pencil engine found " + std::to_string(set_.points().size()) + " of " +
                                    std::to_string(expected_simple()) +
                                    " simple solutions; the exact engine computed all of them");
+      for (std::size_t i = 0; i < set_.points().size(); ++i) {
+        // Beyond double precision: the roots of the eliminant may need it.
+        set_.enclose(i, 4 * first_radius_log2);
+        known.push_back(set_.points()[i].box);
+      }
       set_.clear();
     }
     if (!set_.representation()) return;
     const auto& classes = set_.representation()->classes;
     const bool simple_too = !pencil_complete && options_.engine != Engine::pencil;
     for (std::size_t k = 0; k < classes.size(); ++k)
-      if (classes[k].multiplicity > 1 || simple_too) set_.add_class(k);
+      if (classes[k].multiplicity > 1 || simple_too)
+        set_.add_class(k, classes[k].multiplicity == 1 ? known : std::vector<bridge::PlaneBall>{});
   }
 
   void report_method() {

@@ -167,10 +167,17 @@ void SolutionSet::set_representation(symbolic::UnivariateRepresentation represen
   representation_ = std::move(representation);
 }
 
-void SolutionSet::add_class(std::size_t class_index) {
+void SolutionSet::add_class(std::size_t class_index, const std::vector<PlaneBall>& approximations) {
   const symbolic::SquarefreeFactor& part = representation_->classes[class_index];
   bridge::IsolatedRoots& roots = classes_[class_index];
-  roots = bridge::IsolatedRoots(part.factor, context_);
+  std::vector<ComplexBall> values;
+  for (const PlaneBall& point : approximations) {
+    constexpr long precision_bits = 256;
+    ComplexBall& t = values.emplace_back();
+    acb_mul_si(t.get(), point.y.get(), representation_->shear, precision_bits);
+    acb_add(t.get(), t.get(), point.x.get(), precision_bits);
+  }
+  roots = bridge::IsolatedRoots(part.factor, context_, values);
   constexpr long first_radius_log2 = -64;
   for (std::size_t root = 0; root < roots.balls().size(); ++root) {
     EnclosedPoint point;

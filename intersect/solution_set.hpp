@@ -58,8 +58,9 @@ class SolutionSet {
   void set_representation(symbolic::UnivariateRepresentation representation);
   const std::optional<symbolic::UnivariateRepresentation>& representation() const { return representation_; }
 
-  /// Adds all points of one class of the representation.
-  void add_class(std::size_t class_index);
+  /// Adds all points of one class of the representation. `approximations` of some of them, possibly none and possibly
+  /// wrong, make it quicker.
+  void add_class(std::size_t class_index, const std::vector<bridge::PlaneBall>& approximations);
 
   /// Adds all points of p(x) = q(y) = 0: pairs of roots; multiplicities multiply, the local ring being a tensor
   /// product.

@@ -109,7 +109,8 @@ TEST_CASE("Eigenvalue clusters: multiplicities as dimensions of invariant subspa
   };
   Matrix<double> basis(6, 6);
   for (long i = 0; i < 6; ++i)
-    for (long j = 0; j < 6; ++j) basis(i, j) = std::sin(static_cast<double>(7 * i * i + 3 * j + 1));
+    for (long j = 0; j < 6; ++j)
+      basis(i, j) = (i == j ? 3.0 : 0.0) + std::sin(static_cast<double>(7 * i * i + 3 * j + 1));
   const Matrix<double> inverse = basis.inverse();
   MultiplicationMatrices<double> matrices;
   matrices.x = inverse * kronecker(x_block, Matrix<double>::Identity(3, 3)) * basis;
