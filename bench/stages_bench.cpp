@@ -19,6 +19,7 @@
 #include <eliminant/symbolic/matrices/hybrid_bezout_matrix.hpp>
 #include <eliminant/symbolic/matrices/sylvester_matrix.hpp>
 
+#include "macaulay_pencil.hpp"
 #include "setup.hpp"
 
 namespace {
@@ -131,11 +132,47 @@ void multiplication_matrices(benchmark::State& state) {
   state.counters["size"] = static_cast<double>(rounded.multiplication().x.rows());
 }
 
+/// The largest |p| or |q| over the sum of the moduli of its terms, at the points before any refinement.
+double largest_residual(const RoundedPair& rounded, const std::vector<numeric::PlanePoint<double>>& points) {
+  double largest = 0;
+  for (const auto& point : points)
+    for (const auto* curve : {&rounded.p, &rounded.q}) {
+      const numeric::BivariatePolynomial<double> majorant{curve->coefficients.cwiseAbs()};
+      const double scale = std::abs(numeric::jet<double>(majorant, std::abs(point.x), std::abs(point.y)).value);
+      largest = std::max(largest, std::abs(numeric::jet(*curve, point.x, point.y).value) / scale);
+    }
+  return largest;
+}
+
+/// The same matrices from the null space of the Macaulay matrix.
+void macaulay_multiplication_matrices(benchmark::State& state) {
+  const RoundedPair rounded(state.range(0));
+  const auto build = [&] {
+    return bench::macaulay_multiplication(rounded.p, rounded.q, rounded.degree, rounded.degree);
+  };
+  for (auto _ : state) benchmark::DoNotOptimize(build());
+  state.counters["size"] = static_cast<double>(build().x.rows());
+  state.counters["residual"] = largest_residual(rounded, numeric::points_by_eigenvectors(build()));
+}
+
+/// The points by eigenvalues alone.
+void multiplication_points_by_eigenvalues(benchmark::State& state) {
+  const RoundedPair rounded(state.range(0));
+  const auto matrices = rounded.multiplication();
+  const auto points = [&] {
+    return numeric::points_by_eigenvalues(matrices, rounded.p, rounded.q, rounded.degree, rounded.degree);
+  };
+  for (auto _ : state) benchmark::DoNotOptimize(points());
+  state.counters["residual"] = largest_residual(rounded, points());
+}
+
 /// Eigenvalues and eigenvectors of a combination of the multiplication matrices, and the points read off them.
 void multiplication_points(benchmark::State& state) {
-  const auto matrices = RoundedPair(state.range(0)).multiplication();
+  const RoundedPair rounded(state.range(0));
+  const auto matrices = rounded.multiplication();
   for (auto _ : state) benchmark::DoNotOptimize(numeric::points_by_eigenvectors(matrices));
   state.counters["size"] = static_cast<double>(matrices.x.rows());
+  state.counters["residual"] = largest_residual(rounded, numeric::points_by_eigenvectors(matrices));
 }
 
 /// Everything from the two polynomials to unproven points by the graded pencil.
@@ -143,7 +180,7 @@ void graded_pencil_candidates(benchmark::State& state) {
   const CurvePair pair = dense_pair(state.range(0));
   const Context context;
   std::size_t count = 0;
-  for (auto _ : state) count = intersect::graded_pencil_candidates(pair.p, pair.q, context).candidates.size();
+  for (auto _ : state) count = intersect::graded_pencil_candidates(pair.p, pair.q, false, context).candidates.size();
   state.counters["candidates"] = static_cast<double>(count);
 }
 
@@ -238,6 +275,8 @@ BENCHMARK(staircase)->Apply(dense_degrees);
 BENCHMARK(generalized_eigen)->Apply(dense_degrees);
 BENCHMARK(multiplication_matrices)->Apply(dense_degrees);
 BENCHMARK(multiplication_points)->Apply(dense_degrees);
+BENCHMARK(multiplication_points_by_eigenvalues)->Apply(dense_degrees);
+BENCHMARK(macaulay_multiplication_matrices)->Apply(dense_degrees);
 BENCHMARK(graded_pencil_candidates)->Apply(dense_degrees);
 BENCHMARK(pencil_candidates)->Apply(dense_degrees);
 BENCHMARK(solution_profile)->Apply(dense_degrees);
