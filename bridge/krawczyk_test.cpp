@@ -190,14 +190,14 @@ std::optional<NewtonStep> newton_step(const BallCurve& p, const BallCurve& q, co
 }
 
 std::optional<SimpleZero> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
-                                              long target_log2, long max_precision_bits) {
+                                              long target_log2, long max_precision_bits, long first_precision_bits) {
   PlaneBall point = midpoint(start);
   const long size_log2 = std::max({0L, magnitude_log2(point.x), magnitude_log2(point.y)});
   // Rounding loses some bits in the evaluation: start with room for them.
-  long precision_bits = std::max(96L, size_log2 - target_log2 + 40);
+  long precision_bits = std::max(first_precision_bits, size_log2 - target_log2 + 40);
   for (; precision_bits <= max_precision_bits; precision_bits *= 2) {
     // Newton's method doubles the digits: low precision first, the full one for the last steps.
-    long working = std::min(precision_bits, 128L);
+    long working = std::min(precision_bits, std::max(128L, first_precision_bits));
     for (int step = 0; step < 60; ++step) {
       const std::optional<NewtonStep> next = newton_step(p, q, point, working);
       if (!next) return std::nullopt;

@@ -39,9 +39,11 @@ struct SimpleZero {
 };
 
 /// Encloses the zero near `start` in a box whose radius is at most 2^target_log2: Newton steps, then the Krawczyk test
-/// on a slightly larger box, with the precision raised up to `max_precision_bits`. nullopt: not reached.
+/// on a slightly larger box, with the precision raised from `first_precision_bits` (that of `start`: with less, a step
+/// could lead away from it) up to `max_precision_bits`. nullopt: not reached.
 std::optional<SimpleZero> enclose_simple_zero(const BallCurve& p, const BallCurve& q, const PlaneBall& start,
-                                              long target_log2, long max_precision_bits);
+                                              long target_log2, long max_precision_bits,
+                                              long first_precision_bits = 96);
 
 /// Encloses the one zero of `region` in a box whose radius is at most 2^target_log2: the box lies in the region, so it
 /// holds the same zero. nullopt when max_precision_bits do not suffice.

@@ -312,7 +312,8 @@ class Solver {
   /// True when a new solution was proven.
   bool add_candidate(const PencilCandidates::Candidate& candidate, const bridge::PowerOfTwoScaling& scaling,
                      long max_precision_bits) {
-    const int added = set_.add_simple(candidate.refined, first_radius_log2, max_precision_bits);
+    const int added = set_.add_simple(candidate.refined, first_radius_log2, max_precision_bits,
+                                      std::max(96, result_.engine.precision_bits));
     if (added == 0) return false;
     const std::size_t first_new = set_.points().size() - static_cast<std::size_t>(added);
     note_error(candidate.approximate, set_.points()[first_new].box, scaling);

@@ -107,7 +107,8 @@ void SolutionSet::store(EnclosedPoint& point, PlaneBall box, long target_log2) c
   point.box = std::move(box);
 }
 
-int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_precision_bits) {
+int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_precision_bits,
+                            long first_precision_bits) {
   context_.checkpoint("certifying");
   const PlaneBall scaled_start = to_scaled(start);
   EnclosedPoint candidate;
@@ -116,8 +117,8 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
   if (candidate.disc)
     zero = bridge::SimpleZero{bridge::region_of(*candidate.disc), bridge::region_of(*candidate.disc)};
   else if (max_precision_bits > 53)
-    zero =
-        bridge::enclose_simple_zero(scaled_p_, scaled_q_, scaled_start, scaled_target(target_log2), max_precision_bits);
+    zero = bridge::enclose_simple_zero(scaled_p_, scaled_q_, scaled_start, scaled_target(target_log2),
+                                       max_precision_bits, first_precision_bits);
   if (!zero) return 0;
   candidate.region = zero->region;
   candidate.box = from_scaled(zero->box);

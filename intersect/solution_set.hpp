@@ -50,7 +50,8 @@ class SolutionSet {
   /// 2^radius_log2: by the Krawczyk test in hardware doubles, or in ball arithmetic of at most `max_precision_bits`
   /// (53: none). A solution that is not real brings its conjugate with it. Returns the number of solutions that are
   /// new: 0 when nothing was proven or it is already there.
-  int add_simple(const bridge::PlaneBall& start, long radius_log2, long max_precision_bits);
+  int add_simple(const bridge::PlaneBall& start, long radius_log2, long max_precision_bits,
+                 long first_precision_bits = 96);
 
   /// Forgets all points.
   void clear() { points_.clear(); }
