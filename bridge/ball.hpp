@@ -60,4 +60,25 @@ class ComplexBall {
   acb_t value_;
 };
 
+/// The exact midpoint of a ball.
+inline ComplexBall midpoint(const ComplexBall& z) {
+  ComplexBall result;
+  acb_get_mid(result.get(), z.get());
+  return result;
+}
+
+/// An upper bound of a non-negative number, rounded up by every operation (Arb).
+class Magnitude {
+ public:
+  Magnitude() { mag_init(value_); }
+  Magnitude(const Magnitude&) = delete;
+  Magnitude& operator=(const Magnitude&) = delete;
+  ~Magnitude() { mag_clear(value_); }
+  mag_ptr get() { return value_; }
+  mag_srcptr get() const { return value_; }
+
+ private:
+  mag_t value_;
+};
+
 }  // namespace eliminant::bridge

@@ -36,16 +36,11 @@ constexpr long bound_bits = 30;
 
 Reach reach(const ComplexBall& z) {
   Reach result;
-  mag_t magnitude;
-  mag_t distance;
-  mag_init(magnitude);
-  mag_init(distance);
-  acb_get_mag(magnitude, z.get());
-  arf_set_mag(arb_midref(result.modulus.get()), magnitude);
-  mag_hypot(distance, arb_radref(z.real()), arb_radref(z.imaginary()));
-  arf_set_mag(arb_midref(result.distance.get()), distance);
-  mag_clear(distance);
-  mag_clear(magnitude);
+  Magnitude bound;
+  acb_get_mag(bound.get(), z.get());
+  arf_set_mag(arb_midref(result.modulus.get()), bound.get());
+  mag_hypot(bound.get(), arb_radref(z.real()), arb_radref(z.imaginary()));
+  arf_set_mag(arb_midref(result.distance.get()), bound.get());
   return result;
 }
 
@@ -54,12 +49,10 @@ void widen(ComplexBall& z, const RealBall& a, const RealBall& d, const RealBall&
   RealBall sum;
   arb_mul(sum.get(), a.get(), d.get(), bound_bits);
   arb_addmul(sum.get(), b.get(), e.get(), bound_bits);
-  mag_t error;
-  mag_init(error);
-  arb_get_mag(error, sum.get());
-  arb_add_error_mag(z.real(), error);
-  if (!real) arb_add_error_mag(z.imaginary(), error);
-  mag_clear(error);
+  Magnitude error;
+  arb_get_mag(error.get(), sum.get());
+  arb_add_error_mag(z.real(), error.get());
+  if (!real) arb_add_error_mag(z.imaginary(), error.get());
 }
 
 }  // namespace
@@ -110,10 +103,7 @@ BallCurve::Sums BallCurve::sum_rows(const PlaneBall& point, bool with_derivative
 }
 
 BallSlopes BallCurve::slopes_on(const PlaneBall& box, long precision_bits) const {
-  PlaneBall middle = box;
-  acb_get_mid(middle.x.get(), middle.x.get());
-  acb_get_mid(middle.y.get(), middle.y.get());
-  BallJet at_middle = jet(middle, precision_bits);
+  BallJet at_middle = jet({midpoint(box.x), midpoint(box.y)}, precision_bits);
   const Reach inner = reach(outer_is_y_ ? box.x : box.y);
   const Reach outer = reach(outer_is_y_ ? box.y : box.x);
   // Second derivatives of the polynomial of absolute coefficients; d_outer2 is half of one.

@@ -20,19 +20,6 @@ constexpr double largest_trusted = 1e250;
 
 double absolute(const Complex& z) { return std::hypot(z.real(), z.imag()) * upward; }
 
-/// RAII for an upper bound as Arb wants it.
-class Magnitude {
- public:
-  Magnitude() { mag_init(value_); }
-  Magnitude(const Magnitude&) = delete;
-  Magnitude& operator=(const Magnitude&) = delete;
-  ~Magnitude() { mag_clear(value_); }
-  mag_ptr get() { return value_; }
-
- private:
-  mag_t value_;
-};
-
 ComplexBall exact_ball(const Complex& z) { return {z.real(), z.imag()}; }
 
 }  // namespace

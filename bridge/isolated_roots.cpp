@@ -43,12 +43,6 @@ class RealBallPolynomial {
   arb_poly_t value_;
 };
 
-ComplexBall midpoint(const ComplexBall& ball) {
-  ComplexBall result;
-  acb_get_mid(result.get(), ball.get());
-  return result;
-}
-
 struct Value {
   ComplexBall value, derivative;
 };
@@ -61,22 +55,16 @@ Value evaluate(const RealBallPolynomial& p, const ComplexBall& z, long precision
 
 /// The smallest box around the disc of radius n |p / p'| around z, or only its real axis; nullopt when p' may be 0.
 std::optional<ComplexBall> inclusion_box(const ComplexBall& z, const Value& at_z, long degree, bool real = false) {
-  mag_t radius;
-  mag_t slope;
-  mag_init(radius);
-  mag_init(slope);
-  acb_get_mag(radius, at_z.value.get());
-  acb_get_mag_lower(slope, at_z.derivative.get());
-  mag_div(radius, radius, slope);
-  mag_mul_ui(radius, radius, static_cast<mp_limb_t>(degree));
-  std::optional<ComplexBall> box;
-  if (mag_is_finite(radius) != 0) {
-    box = z;
-    arb_add_error_mag(box->real(), radius);
-    if (!real) arb_add_error_mag(box->imaginary(), radius);
-  }
-  mag_clear(slope);
-  mag_clear(radius);
+  Magnitude radius;
+  Magnitude slope;
+  acb_get_mag(radius.get(), at_z.value.get());
+  acb_get_mag_lower(slope.get(), at_z.derivative.get());
+  mag_div(radius.get(), radius.get(), slope.get());
+  mag_mul_ui(radius.get(), radius.get(), static_cast<mp_limb_t>(degree));
+  if (mag_is_finite(radius.get()) == 0) return std::nullopt;
+  ComplexBall box = z;
+  arb_add_error_mag(box.real(), radius.get());
+  if (!real) arb_add_error_mag(box.imaginary(), radius.get());
   return box;
 }
 
@@ -93,12 +81,9 @@ ComplexBall exact_ball(const numeric::ScaledComplex& z) {
 }
 
 double magnitude_log2(const ComplexBall& z) {
-  mag_t magnitude;
-  mag_init(magnitude);
-  acb_get_mag(magnitude, z.get());
-  const double result = mag_get_d_log2_approx(magnitude);
-  mag_clear(magnitude);
-  return result;
+  Magnitude magnitude;
+  acb_get_mag(magnitude.get(), z.get());
+  return mag_get_d_log2_approx(magnitude.get());
 }
 
 /// The approximations of all roots on the way to isolation.

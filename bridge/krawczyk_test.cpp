@@ -45,26 +45,16 @@ ComplexBall inner_product(const ComplexBall& u, const ComplexBall& v, const Comp
   return sum;
 }
 
-PlaneBall midpoint(const PlaneBall& box) {
-  PlaneBall result = box;
-  drop_radius(result.x);
-  drop_radius(result.y);
-  return result;
-}
+PlaneBall midpoint(const PlaneBall& box) { return {midpoint(box.x), midpoint(box.y)}; }
 
 /// |u| + |v| < 1, proven.
 bool row_sum_below_one(const ComplexBall& u, const ComplexBall& v) {
-  mag_t sum;
-  mag_t term;
-  mag_init(sum);
-  mag_init(term);
-  acb_get_mag(sum, u.get());
-  acb_get_mag(term, v.get());
-  mag_add(sum, sum, term);
-  const bool below = mag_cmp_2exp_si(sum, 0) < 0;
-  mag_clear(term);
-  mag_clear(sum);
-  return below;
+  Magnitude sum;
+  Magnitude term;
+  acb_get_mag(sum.get(), u.get());
+  acb_get_mag(term.get(), v.get());
+  mag_add(sum.get(), sum.get(), term.get());
+  return mag_cmp_2exp_si(sum.get(), 0) < 0;
 }
 
 /// What stands for log2 0.
@@ -72,16 +62,10 @@ constexpr long no_magnitude = -(1L << 40);
 
 /// An upper bound of log2 |z|; no_magnitude for zero.
 long magnitude_log2(const ComplexBall& z) {
-  mag_t magnitude;
-  mag_init(magnitude);
-  acb_get_mag(magnitude, z.get());
-  long result = no_magnitude;
-  if (mag_is_special(magnitude) == 0)
-    result = static_cast<long>(fmpz_get_si(MAG_EXPREF(magnitude)));
-  else if (mag_is_inf(magnitude))
-    result = 1L << 40;
-  mag_clear(magnitude);
-  return result;
+  Magnitude magnitude;
+  acb_get_mag(magnitude.get(), z.get());
+  if (mag_is_special(magnitude.get()) == 0) return static_cast<long>(fmpz_get_si(MAG_EXPREF(magnitude.get())));
+  return mag_is_inf(magnitude.get()) ? 1L << 40 : no_magnitude;
 }
 
 /// The square box of half-width 2^radius_log2 around an exact point.

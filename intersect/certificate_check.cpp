@@ -13,6 +13,7 @@ namespace eliminant::intersect {
 namespace {
 
 using bridge::ComplexBall;
+using bridge::midpoint;
 using bridge::RealBall;
 using symbolic::Polynomial;
 using symbolic::Rational;
@@ -39,12 +40,6 @@ ComplexBall complex_ball(const Rational& real, const Rational& imaginary, long p
   ComplexBall result;
   arb_set_fmpq(result.real(), real.get(), precision_bits);
   arb_set_fmpq(result.imaginary(), imaginary.get(), precision_bits);
-  return result;
-}
-
-ComplexBall midpoint(const ComplexBall& z) {
-  ComplexBall result;
-  acb_get_mid(result.get(), z.get());
   return result;
 }
 
@@ -300,13 +295,11 @@ class Check {
         arb_fmpz_poly_evaluate_acb(derivative.get(), slope.get(), t.get(), precision_bits_);
         if (acb_contains_zero(derivative.get())) throw Refusal{ball_name(i) + " isolates no root of " + name};
         acb_div(value.get(), value.get(), derivative.get(), precision_bits_);
-        mag_t radius;
-        mag_init(radius);
-        acb_get_mag(radius, value.get());
-        mag_mul_ui(radius, radius, static_cast<mp_limb_t>(part.factor.degree()));
+        bridge::Magnitude radius;
+        acb_get_mag(radius.get(), value.get());
+        mag_mul_ui(radius.get(), radius.get(), static_cast<mp_limb_t>(part.factor.degree()));
         discs[i] = t;
-        acb_add_error_mag(discs[i].get(), radius);
-        mag_clear(radius);
+        acb_add_error_mag(discs[i].get(), radius.get());
       }
       if (found != part.factor.degree())
         throw Refusal{name + " has " + std::to_string(part.factor.degree()) + " roots of multiplicity " +
