@@ -368,14 +368,16 @@ void IsolatedRoots::decide_reality(const Context& context) {
 
 void IsolatedRoots::refine(std::size_t index, long relative_bits, const Context& context) {
   ComplexBall& ball = balls_[index];
-  if (acb_is_zero(ball.get())) return;
+  // Also when the ball is exact: its accuracy is the largest number there is.
+  const auto accuracy = [](const ComplexBall& z) { return static_cast<long>(acb_rel_accuracy_bits(z.get())); };
+  if (acb_is_zero(ball.get()) || accuracy(ball) >= relative_bits) return;
   // Of a real root the ball is what its isolating box and the mirror image of that have of the real axis. Their union
   // holds no other root, and reaches as far from the axis as along it: the disc around a real z is in it with its
   // diameter.
   const bool real = arb_is_zero(ball.imaginary()) != 0;
   ComplexBall z = midpoint(ball);
-  long precision_bits = std::max(64L, 2 * std::max(0L, static_cast<long>(acb_rel_accuracy_bits(ball.get()))));
-  while (acb_rel_accuracy_bits(ball.get()) < relative_bits) {
+  long precision_bits = std::max(64L, 2 * accuracy(ball));
+  while (accuracy(ball) < relative_bits) {
     context.checkpoint("refining roots");
     if (precision_bits > precision_ceiling) throw PrecisionExhausted("a root could not be refined");
     const RealBallPolynomial rounded(p_, precision_bits);
@@ -387,9 +389,9 @@ void IsolatedRoots::refine(std::size_t index, long relative_bits, const Context&
       const std::optional<ComplexBall> box = inclusion_box(z, at_z, p_.degree(), real);
       if (!box) break;
       if (acb_contains(ball.get(), box->get()) != 0) {
-        shrunk = acb_rel_accuracy_bits(box->get()) > acb_rel_accuracy_bits(ball.get());
+        shrunk = accuracy(*box) > accuracy(ball);
         if (shrunk) ball = *box;
-        if (acb_rel_accuracy_bits(ball.get()) >= relative_bits || (step > 0 && !shrunk)) break;
+        if (accuracy(ball) >= relative_bits || (step > 0 && !shrunk)) break;
       }
       if (acb_rel_accuracy_bits(at_z.value.get()) < useful_bits) break;
       ComplexBall change;

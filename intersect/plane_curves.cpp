@@ -118,7 +118,12 @@ class Solver {
     const bool y_then_x = p_.degree(0) == 0 && q_.degree(1) == 0;
     const bool nothing_asked = options_.engine != Engine::pencil && options_.matrix == ResultantMatrix::automatic &&
                                options_.precision_bits == 0 && !options_.epsilon;
-    if ((!x_then_y && !y_then_x) || !nothing_asked) return false;
+    if (!x_then_y && !y_then_x) return false;
+    // A resultant matrix of the two is a multiple of a constant one and knows nothing of the other variable.
+    if (!nothing_asked)
+      result_.warnings.emplace_back(
+          "each curve is in one variable: their roots were paired, there is no resultant matrix with a kernel to "
+          "solve");
     const auto factors = [&](const Polynomial& curve, std::size_t hidden) {
       return symbolic::squarefree_decomposition(symbolic::hide_variable(curve, hidden).leading_coefficient());
     };
