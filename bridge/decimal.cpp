@@ -93,20 +93,19 @@ Decimal round_to_decimal(arb_srcptr ball, long exponent) {
   return result;
 }
 
-long decimal_magnitude(const ComplexBall& ball) {
-  // The larger midpoint decides; a ball straddling a power of ten may come out one too large.
+long decimal_magnitude(const ComplexBall& ball, long digits) {
   const arb_srcptr larger =
       arf_cmpabs(arb_midref(ball.real()), arb_midref(ball.imaginary())) >= 0 ? ball.real() : ball.imaginary();
+  const long precision_bits = 4 * digits + 64;
   RealBall magnitude;
-  arb_abs(magnitude.get(), larger);
+  arb_get_mid_arb(magnitude.get(), larger);
+  arb_abs(magnitude.get(), magnitude.get());
+  const RealBall margin = power_of_ten(-digits, precision_bits);
+  arb_addmul(magnitude.get(), magnitude.get(), margin.get(), precision_bits);
   RealBall logarithm;
-  arb_log_base_ui(logarithm.get(), magnitude.get(), 10, 64);
+  arb_log_base_ui(logarithm.get(), magnitude.get(), 10, precision_bits);
   symbolic::Integer floor;
-  arf_t upper;
-  arf_init(upper);
-  arb_get_ubound_arf(upper, logarithm.get(), 64);
-  arf_get_fmpz(floor.get(), upper, ARF_RND_FLOOR);
-  arf_clear(upper);
+  arf_get_fmpz(floor.get(), arb_midref(logarithm.get()), ARF_RND_FLOOR);
   return fmpz_get_si(floor.get()) + 1;
 }
 

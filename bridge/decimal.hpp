@@ -24,8 +24,8 @@ std::string exact_text(const symbolic::Rational& value);
 /// that enclosures of one number round alike even where it lies half-way.
 Decimal round_to_decimal(arb_srcptr ball, long exponent);
 
-/// The least e with |z| < 10^e for all z of the ball, or one more; the exponent of the larger of both parts. The ball
-/// must be finite and not contain 0.
-long decimal_magnitude(const ComplexBall& ball);
+/// The least e with |z| (1 + 10^-digits) < 10^e for the larger part z of the midpoint: of a number next to a power of
+/// ten the same for every enclosure that is accurate to more digits. The ball must be finite and not contain 0.
+long decimal_magnitude(const ComplexBall& ball, long digits);
 
 }  // namespace eliminant::bridge

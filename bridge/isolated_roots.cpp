@@ -122,8 +122,7 @@ class Isolation {
     ComplexBall z;                   ///< exact
     Value value;                     ///< of the polynomial in z
     std::optional<ComplexBall> box;  ///< contains a root
-    bool noisy = false;              ///< the value is hardly more than its rounding error
-    bool settled = false;            ///< noisy, or the last step changed only the last digits
+    bool settled = false;            ///< the value is hardly more than its rounding error, or steps change no digit
     bool active = true;              ///< not isolated from all others
   };
 
@@ -152,31 +151,22 @@ class Isolation {
   void update(Root& root, const RealBallPolynomial& rounded, long precision_bits) const {
     root.value = evaluate(rounded, root.z, precision_bits);
     root.box = inclusion_box(root.z, root.value, degree_);
-    root.noisy = acb_rel_accuracy_bits(root.value.value.get()) < useful_bits;
-    root.settled = root.noisy;
+    root.settled = acb_rel_accuracy_bits(root.value.value.get()) < useful_bits;
   }
 
   /// Sweeps over the active roots until all are isolated (true) or this precision has nothing more to give (false).
   bool iterate(const RealBallPolynomial& rounded, long precision_bits) {
-    constexpr int max_sweeps = 100;
-    constexpr int patience = 3;
-    std::size_t fewest_active = roots_.size() + 1;
-    int sweeps_in_vain = 0;
+    constexpr int max_sweeps = 200;
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
       find_clusters();
-      const auto active = static_cast<std::size_t>(
-          std::count_if(roots_.begin(), roots_.end(), [](const Root& root) { return root.active; }));
-      if (active == 0) return true;
-      std::size_t settled = 0;
-      std::size_t noisy = 0;
+      bool isolated = true;
+      bool movable = false;
       for (const Root& root : roots_) {
-        if (root.active && root.settled) ++settled;
-        if (root.active && root.noisy) ++noisy;
+        isolated = isolated && !root.active;
+        movable = movable || (root.active && !root.settled);
       }
-      // Where many have reached the rounding error, the others only wander in it.
-      sweeps_in_vain = active < fewest_active ? 0 : sweeps_in_vain + 1;
-      fewest_active = std::min(fewest_active, active);
-      if (settled == active || (4 * noisy >= active && sweeps_in_vain >= patience)) return false;
+      if (isolated) return true;
+      if (!movable) return false;
       for (std::size_t i = 0; i < roots_.size(); ++i) {
         Root& root = roots_[i];
         if (!root.active || root.settled) continue;

@@ -95,7 +95,8 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
   verify->add_option("CANDIDATES", arguments.candidates, "solutions: JSON like a result, or CSV x,y[,multiplicity]");
   verify
       ->add_option("--tolerance", arguments.tolerance,
-                   "how far a candidate may be from its solution, relative to max(1, |x|, |y|) (default 1e-6)")
+                   "how far a candidate may be from its solution, each coordinate relative to max(1, its modulus) "
+                   "(default 1e-6)")
       ->type_name("T");
   for (CLI::App* command : {&app, solve, curves, verify}) add_common_options(*command, arguments);
 
@@ -118,6 +119,8 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
                                          : Arguments::Command::verify;
   if (verify->parsed() && arguments.candidates.has_value() == arguments.certificate.has_value())
     throw UsageError("verify checks either CANDIDATES or --certificate FILE; see eliminant verify --help");
+  if (!verify->parsed() && arguments.certificate && arguments.certificate == arguments.output)
+    throw UsageError("the answer and the certificate cannot go to the same file");
   if (verify->parsed() && arguments.file == "-" && (arguments.candidates == "-" || arguments.certificate == "-"))
     throw UsageError("verify cannot read both files from standard input");
   return arguments;

@@ -144,9 +144,8 @@ class Run {
     source_ = path == "-" ? "standard input" : path;
     if (arguments_.certificate) {
       const intersect::Certificate certificate = io::read_certificate(text);
-      const auto reasons = watched([&](const Context& context) {
-        return intersect::check_certificate(problem.p, problem.q, certificate, context);
-      });
+      const auto reasons =
+          watched([&](const Context& context) { return intersect::check_certificate(problem, certificate, context); });
       give(io::certificate_verdict(reasons, id_, options_.format));
       return 0;
     }

@@ -149,13 +149,16 @@ class Check {
  public:
   Check(const Polynomial& p, const Polynomial& q, const Certificate& certificate, const Context& context)
       : p_(p), q_(q), p_curve_(p), q_curve_(q), certificate_(certificate), context_(context) {
+    // Enough for the centre's distance from the origin beside the radius: rounding must not make balls larger.
     long finest = 0;
+    long largest = 0;
     for (const CertifiedBall& ball : certificate.balls) {
       finest = std::min(finest, ball.radius_exponent);
-      const Rational radius = power_of_ten(ball.radius_exponent);
-      radii_.push_back(radius);
+      for (const Rational* part : {&ball.x_real, &ball.x_imaginary, &ball.y_real, &ball.y_imaginary})
+        largest = std::max(largest, static_cast<long>(part->numerator().bit_length()) -
+                                        static_cast<long>(part->denominator().bit_length()));
     }
-    precision_bits_ = 512 - 16 * finest;
+    precision_bits_ = 512 - 16 * finest + 4 * largest;
     for (std::size_t i = 0; i < certificate.balls.size(); ++i) boxes_.push_back(box_of(i));
   }
 
@@ -172,19 +175,36 @@ class Check {
  private:
   using Discs = std::vector<ComplexBall>;
 
-  PointBall box_of(std::size_t i) const {
+  PointBall centre_of(std::size_t i) const {
     const CertifiedBall& ball = certificate_.balls[i];
-    PointBall box{complex_ball(ball.x_real, ball.x_imaginary, precision_bits_),
-                  complex_ball(ball.y_real, ball.y_imaginary, precision_bits_)};
-    widen(box.x, radii_[i]);
-    widen(box.y, radii_[i]);
+    return {complex_ball(ball.x_real, ball.x_imaginary, precision_bits_),
+            complex_ball(ball.y_real, ball.y_imaginary, precision_bits_)};
+  }
+
+  /// A box around the ball.
+  PointBall box_of(std::size_t i) const {
+    PointBall box = centre_of(i);
+    const RealBall radius(power_of_ten(certificate_.balls[i].radius_exponent), precision_bits_);
+    for (ComplexBall* coordinate : {&box.x, &box.y}) {
+      arb_add_error(coordinate->real(), radius.get());
+      arb_add_error(coordinate->imaginary(), radius.get());
+    }
     return box;
   }
 
-  void widen(ComplexBall& z, const Rational& radius) const {
-    const RealBall error(radius, precision_bits_);
-    arb_add_error(z.real(), error.get());
-    arb_add_error(z.imaginary(), error.get());
+  /// A box inside the ball: of seven tenths of the radius, so that its corners are inside. What is enclosed in it lies
+  /// in the ball that is claimed, whatever was rounded.
+  PointBall core_of(std::size_t i) const {
+    PointBall core = centre_of(i);
+    const Rational inner = Rational(7) / Rational(10) * power_of_ten(certificate_.balls[i].radius_exponent);
+    const RealBall radius(inner, precision_bits_);
+    bridge::Magnitude error;
+    arb_get_mag_lower(error.get(), radius.get());
+    for (ComplexBall* coordinate : {&core.x, &core.y}) {
+      arb_add_error_mag(coordinate->real(), error.get());
+      arb_add_error_mag(coordinate->imaginary(), error.get());
+    }
+    return core;
   }
 
   void check_disjoint() const {
@@ -230,8 +250,9 @@ class Check {
     };
     const ComplexBall x = image(m.x, determinant(p_at_m, p_on_box.dy, q_at_m, q_on_box.dy));
     const ComplexBall y = image(m.y, determinant(p_on_box.dx, p_at_m, q_on_box.dx, q_at_m));
-    if (!acb_contains(box.x.get(), x.get()) || !acb_contains(box.y.get(), y.get()))
-      throw Refusal{ball_name(i) + ": Newton's operator does not map it into itself"};
+    const PointBall core = core_of(i);
+    if (!acb_contains(core.x.get(), x.get()) || !acb_contains(core.y.get(), y.get()))
+      throw Refusal{ball_name(i) + ": Newton's operator does not map its box into it"};
   }
 
   void check_count() const {
@@ -328,7 +349,8 @@ class Check {
         continue;
       }
       const PointBall own = crossing(first[i], second[i]);
-      if (!acb_contains(boxes_[i].x.get(), own.x.get()) || !acb_contains(boxes_[i].y.get(), own.y.get()))
+      const PointBall core = core_of(i);
+      if (!acb_contains(core.x.get(), own.x.get()) || !acb_contains(core.y.get(), own.y.get()))
         throw Refusal{ball_name(i) + " does not hold the solution that the eliminants name"};
       for (std::size_t j = 0; j < second.size(); ++j) {
         if (j == i) continue;
@@ -357,17 +379,23 @@ class Check {
   const Certificate& certificate_;
   const Context& context_;
   long precision_bits_ = 0;
-  std::vector<Rational> radii_;
   std::vector<PointBall> boxes_;
 };
 
-void check(const Polynomial& p, const Polynomial& q, const Certificate& certificate, const Context& context) {
+void check(const PlaneCurvesProblem& problem, const Certificate& certificate, const Context& context) {
+  const Polynomial& p = problem.p;
+  const Polynomial& q = problem.q;
+  if (problem.variables != certificate.variables) throw Refusal{"the certificate is about other variables"};
+  constexpr long largest_shear = 1L << 30;
+  for (const long s : certificate.shears)
+    if (s < -largest_shear || s > largest_shear) throw Refusal{"a shear is larger than 2^30"};
   if (!(p == certificate.p) || !(q == certificate.q)) throw Refusal{"the certificate is about other polynomials"};
   Polynomial first = p;
   Polynomial second = q;
   if (certificate.common_component) {
     const Polynomial& component = *certificate.common_component;
-    if (component.is_zero()) {
+    if (component.is_zero() || (p.is_zero() && q.is_zero())) {
+      if (!component.is_zero()) throw Refusal{"both polynomials are zero, the common component is not"};
       if (!p.is_zero() || !q.is_zero()) throw Refusal{"the common component is 0, the polynomials are not"};
     } else {
       if (component.is_constant()) throw Refusal{"the common component is constant"};
@@ -392,10 +420,10 @@ void check(const Polynomial& p, const Polynomial& q, const Certificate& certific
 
 }  // namespace
 
-std::vector<std::string> check_certificate(const Polynomial& p, const Polynomial& q, const Certificate& certificate,
+std::vector<std::string> check_certificate(const PlaneCurvesProblem& problem, const Certificate& certificate,
                                            const Context& context) {
   try {
-    check(p, q, certificate, context);
+    check(problem, certificate, context);
   } catch (const Refusal& refusal) {
     return {refusal.reason};
   }

@@ -3,16 +3,17 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/intersect/certificate.hpp>
+#include <eliminant/intersect/plane_curves.hpp>
 
 namespace eliminant::intersect {
 
-/// Checks a certificate against the curves p = q = 0, trusting nothing in it: the returned reasons are why it proves
-/// nothing, and none means that every ball holds exactly one solution of the multiplicity said, that the balls are
-/// pairwise disjoint, and that there are no other solutions in C^2. The routine shares nothing with the engines but
-/// polynomial and ball arithmetic:
+/// Checks a certificate against the curves of a problem, p = q = 0, trusting nothing in it; a box is not looked at: the
+/// returned reasons are why it proves nothing, and none means that every ball holds exactly one solution of the
+/// multiplicity said, that the balls are pairwise disjoint, and that there are no other solutions in C^2. The routine
+/// shares nothing with the engines but polynomial and ball arithmetic:
 ///
 /// 1. A common component divides both; what is left is coprime, because the count below comes out finite.
-/// 2. A simple solution: the interval Newton operator m - J(B)^-1 F(m) maps its box B into itself.
+/// 2. A simple solution: the interval Newton operator m - J(B)^-1 F(m) maps the box B around its ball into the ball.
 /// 3. The count without shears: the leading forms are coprime over Q, so Bezout's number counts the solutions; as many
 ///    disjoint simple ones are all.
 /// 4. The count with shears: the eliminant C_s(t) = Res_y(p(t - s y, y), q(t - s y, y)) is computed over Z by
@@ -26,7 +27,7 @@ namespace eliminant::intersect {
 ///
 /// Reality: a ball with real centre is its own mirror image, and so is its one solution. Throws LimitReached when
 /// `context` says so.
-std::vector<std::string> check_certificate(const symbolic::Polynomial& p, const symbolic::Polynomial& q,
-                                           const Certificate& certificate, const Context& context);
+std::vector<std::string> check_certificate(const PlaneCurvesProblem& problem, const Certificate& certificate,
+                                           const Context& context);
 
 }  // namespace eliminant::intersect

@@ -14,9 +14,14 @@ using bridge::ComplexBall;
 using symbolic::Polynomial;
 using symbolic::Rational;
 
-/// True when x + s y has disjoint enclosures at all points.
-bool separates(const SolutionSet& set, long s) {
-  constexpr long precision_bits = 512;
+/// True when x + s y has disjoint enclosures at all points, which are known to about so many digits.
+bool separates(const SolutionSet& set, long s, long digits) {
+  long magnitude_log2 = 0;
+  for (const EnclosedPoint& point : set.points())
+    for (const ComplexBall* z : {&point.box.x, &point.box.y})
+      for (const arb_srcptr part : {z->real(), z->imaginary()})
+        magnitude_log2 = std::max(magnitude_log2, static_cast<long>(arf_abs_bound_lt_2exp_si(arb_midref(part))));
+  const long precision_bits = magnitude_log2 + 4 * digits + 64;
   std::vector<ComplexBall> values;
   for (const EnclosedPoint& point : set.points()) {
     ComplexBall& t = values.emplace_back();
@@ -32,7 +37,7 @@ bool separates(const SolutionSet& set, long s) {
 /// The first `count` shears in the order 0, 1, -1, 2, ... at which no leading form vanishes and, where `separating` is
 /// asked for, the points are told apart.
 std::vector<long> choose_shears(const Polynomial& p, const Polynomial& q, const SolutionSet& set, std::size_t count,
-                                bool separating) {
+                                bool separating, long digits) {
   const symbolic::PrimeField field(symbolic::PrimeSequence(0).next());
   const symbolic::ModularCurve p_modular(p, field);
   const symbolic::ModularCurve q_modular(q, field);
@@ -41,7 +46,7 @@ std::vector<long> choose_shears(const Polynomial& p, const Polynomial& q, const 
   long s = 0;
   for (int attempt = 0; attempt < attempts && shears.size() < count; ++attempt, s = s > 0 ? -s : 1 - s)
     if (p_modular.leading_form_at(field.reduce(s)) != 0 && q_modular.leading_form_at(field.reduce(s)) != 0 &&
-        (!separating || separates(set, s)))
+        (!separating || separates(set, s, digits)))
       shears.push_back(s);
   return shears;
 }
@@ -49,7 +54,7 @@ std::vector<long> choose_shears(const Polynomial& p, const Polynomial& q, const 
 /// The point with about `digits` digits, its ball a hundred times larger than the error.
 CertifiedBall write_ball(SolutionSet& set, std::size_t index, long digits) {
   const auto magnitude_of = [](const ComplexBall& z) {
-    return acb_contains_zero(z.get()) != 0 ? 0L : std::max(0L, bridge::decimal_magnitude(z));
+    return acb_contains_zero(z.get()) != 0 ? 0L : std::max(0L, bridge::decimal_magnitude(z, 15));
   };
   const bridge::PlaneBall& known = set.points()[index].box;
   CertifiedBall ball;
@@ -94,8 +99,8 @@ std::optional<Certificate> make_certificate(const PlaneCurvesProblem& problem, c
     certificate.balls.clear();
     for (std::size_t i = 0; i < set->points().size(); ++i) certificate.balls.push_back(write_ball(*set, i, digits));
     if (!simple || certificate.at_infinity > 0)
-      certificate.shears = choose_shears(split.first, split.second, *set, simple ? 1 : 2, !simple);
-    if (check_certificate(problem.p, problem.q, certificate, context).empty()) return certificate;
+      certificate.shears = choose_shears(split.first, split.second, *set, simple ? 1 : 2, !simple, digits);
+    if (check_certificate(problem, certificate, context).empty()) return certificate;
   }
   return std::nullopt;
 }

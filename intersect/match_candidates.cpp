@@ -25,23 +25,30 @@ PlaneBall ball_of(const Candidate& candidate, long precision_bits) {
   return point;
 }
 
-/// max(|x - x'|, |y - y'|) as a ball.
-RealBall distance(const PlaneBall& a, const Solution& b, long precision_bits) {
-  RealBall result;
-  RealBall other;
-  ComplexBall difference;
-  acb_sub(difference.get(), a.x.get(), b.x.ball.get(), precision_bits);
-  acb_abs(result.get(), difference.get(), precision_bits);
-  acb_sub(difference.get(), a.y.get(), b.y.ball.get(), precision_bits);
-  acb_abs(other.get(), difference.get(), precision_bits);
-  arb_max(result.get(), result.get(), other.get(), precision_bits);
-  return result;
-}
+/// The distance of a candidate from a solution: of the larger coordinate difference, and of the same relative to
+/// max(1, |coordinate|) of each.
+struct Distance {
+  RealBall absolute;
+  RealBall relative;
+};
 
-double upper_bound(const RealBall& value) {
-  RealBall bound;
-  arb_get_ubound_arf(arb_midref(bound.get()), value.get(), 53);
-  return arf_get_d(arb_midref(bound.get()), ARF_RND_UP);
+Distance distance(const PlaneBall& a, const Solution& b, long precision_bits) {
+  Distance result;
+  for (const auto& [found, truth] : {std::pair{&a.x, &b.x.ball}, {&a.y, &b.y.ball}}) {
+    ComplexBall difference;
+    RealBall length;
+    RealBall size;
+    RealBall one;
+    acb_sub(difference.get(), found->get(), truth->get(), precision_bits);
+    acb_abs(length.get(), difference.get(), precision_bits);
+    arb_max(result.absolute.get(), result.absolute.get(), length.get(), precision_bits);
+    acb_abs(size.get(), truth->get(), precision_bits);
+    arb_one(one.get());
+    arb_max(size.get(), size.get(), one.get(), precision_bits);
+    arb_div(length.get(), length.get(), size.get(), precision_bits);
+    arb_max(result.relative.get(), result.relative.get(), length.get(), precision_bits);
+  }
+  return result;
 }
 
 /// Two significant digits, rounded up; beyond the range of double by its power of ten.
@@ -60,14 +67,15 @@ std::string printed_bound(const RealBall& value) {
   return "1e" + std::to_string(static_cast<long>(std::ceil(static_cast<double>(log2) * 0.30103)));
 }
 
-double modulus(const ComplexBall& z) {
-  return std::hypot(arf_get_d(arb_midref(z.real()), ARF_RND_NEAR), arf_get_d(arb_midref(z.imaginary()), ARF_RND_NEAR));
-}
-
-/// The reach within which a candidate matches this solution.
-double reach(const Solution& solution, double tolerance) {
-  return std::max({1.0, modulus(solution.x.ball), modulus(solution.y.ball)}) *
-         std::pow(tolerance, 1.0 / static_cast<double>(solution.multiplicity));
+/// Whether the relative distance is at most the k-th root of the tolerance, k the multiplicity: decided of the ball's
+/// midpoint, whose error is far below the tolerance.
+bool within_reach(const Distance& found, unsigned long multiplicity, double tolerance) {
+  RealBall power;
+  constexpr long precision_bits = 128;
+  arb_pow_ui(power.get(), found.relative.get(), multiplicity, precision_bits);
+  RealBall limit;
+  arb_set_d(limit.get(), tolerance);
+  return arf_cmp(arb_midref(power.get()), arb_midref(limit.get())) <= 0;
 }
 
 /// To first order, the distance from the component is its value over its slope.
@@ -75,8 +83,22 @@ bool near_component(const symbolic::Polynomial& component, const PlaneBall& poin
                     long precision_bits) {
   if (component.is_zero()) return true;
   const bridge::BallJet jet = bridge::BallCurve(component).jet(point, precision_bits);
-  const double scale = std::max({1.0, modulus(point.x), modulus(point.y)});
-  return modulus(jet.value) <= tolerance * scale * (modulus(jet.dx) + modulus(jet.dy));
+  const auto modulus = [&](const ComplexBall& z) {
+    RealBall result;
+    acb_abs(result.get(), z.get(), precision_bits);
+    return result;
+  };
+  RealBall slope;
+  arb_add(slope.get(), modulus(jet.dx).get(), modulus(jet.dy).get(), precision_bits);
+  RealBall scale;
+  arb_one(scale.get());
+  arb_max(scale.get(), scale.get(), modulus(point.x).get(), precision_bits);
+  arb_max(scale.get(), scale.get(), modulus(point.y).get(), precision_bits);
+  RealBall limit;
+  arb_set_d(limit.get(), tolerance);
+  arb_mul(limit.get(), limit.get(), slope.get(), precision_bits);
+  arb_mul(limit.get(), limit.get(), scale.get(), precision_bits);
+  return arf_cmp(arb_midref(modulus(jet.value).get()), arb_midref(limit.get())) <= 0;
 }
 
 std::string plural(std::size_t count, const std::string& one, const std::string& several) {
@@ -89,24 +111,38 @@ CandidateReport match_candidates(const PlaneCurvesProblem& problem, std::span<co
                                  double tolerance, const Options& options, const Context& context) {
   if (!(tolerance > 0 && tolerance < 1))
     throw InvalidInput("the tolerance is not between 0 and 1", "a number between 0 and 1");
-  const long precision_bits = 4 * options.digits + 128;
+  // As many digits of the truth as the tolerance and the sizes of the candidates ask for.
+  Options accurate = options;
+  const auto tolerance_digits = static_cast<long>(std::ceil(-std::log10(tolerance)));
+  accurate.digits = std::max(options.digits, tolerance_digits + 5);
   CandidateReport report;
-  report.truth = intersect_plane_curves(problem, options, context);
+  report.truth = intersect_plane_curves(problem, accurate, context);
   const std::vector<Solution>& solutions = report.truth.solutions;
+  long size_bits = 0;
+  for (const Candidate& candidate : candidates)
+    for (const auto* part : {&candidate.x_real, &candidate.x_imaginary, &candidate.y_real, &candidate.y_imaginary})
+      size_bits = std::max(size_bits, static_cast<long>(part->numerator().bit_length()) -
+                                          static_cast<long>(part->denominator().bit_length()));
+  for (const Solution& solution : solutions)
+    for (const ComplexBall* z : {&solution.x.ball, &solution.y.ball})
+      for (const arb_srcptr part : {z->real(), z->imaginary()})
+        size_bits = std::max(size_bits, static_cast<long>(arf_abs_bound_lt_2exp_si(arb_midref(part))));
+  const long precision_bits = 4 * accurate.digits + 2 * size_bits + 128;
   std::vector<std::vector<std::size_t>> matches(solutions.size());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     context.checkpoint("comparing candidates");
     const PlaneBall point = ball_of(candidates[i], precision_bits);
     CandidateDistance found{i, std::nullopt, {}};
-    RealBall smallest;
+    Distance smallest;
     for (std::size_t k = 0; k < solutions.size(); ++k) {
-      RealBall current = distance(point, solutions[k], precision_bits);
-      if (found.solution && arf_cmp(arb_midref(current.get()), arb_midref(smallest.get())) >= 0) continue;
+      Distance current = distance(point, solutions[k], precision_bits);
+      if (found.solution && arf_cmp(arb_midref(current.relative.get()), arb_midref(smallest.relative.get())) >= 0)
+        continue;
       found.solution = k;
       smallest = std::move(current);
     }
-    if (found.solution) found.distance = printed_bound(smallest);
-    if (found.solution && upper_bound(smallest) <= reach(solutions[*found.solution], tolerance)) {
+    if (found.solution) found.distance = printed_bound(smallest.absolute);
+    if (found.solution && within_reach(smallest, solutions[*found.solution].multiplicity, tolerance)) {
       matches[*found.solution].push_back(i);
       report.matched.push_back(std::move(found));
     } else if (report.truth.common_component &&

@@ -51,11 +51,11 @@ struct CandidateReport {
 };
 
 /// Compares candidates with the solutions that `options` and the box of the problem list. A candidate matches the
-/// nearest solution if its distance, relative to max(1, |x|, |y|), is at most `tolerance`, or its k-th root when the
-/// solution has multiplicity k: so far apart may be the answers of an algorithm whose errors are of size `tolerance`.
-/// A solution matched once without a multiplicity is no claim about its multiplicity. The candidates are accepted when
-/// the exact answer is certified, and nothing is spurious, missing or of wrong multiplicity. Throws as
-/// intersect_plane_curves, and InvalidInput unless 0 < tolerance < 1.
+/// nearest solution, each coordinate's distance relative to max(1, its modulus), if that is at most `tolerance`, or its
+/// k-th root when the solution has multiplicity k: so far apart may be the answers of an algorithm whose errors are of
+/// size `tolerance`. A solution matched once without a multiplicity is no claim about its multiplicity. The candidates
+/// are accepted when the exact answer is certified, and nothing is spurious, missing or of wrong multiplicity. Throws
+/// as intersect_plane_curves, and InvalidInput unless 0 < tolerance < 1.
 CandidateReport match_candidates(const PlaneCurvesProblem& problem, std::span<const Candidate> candidates,
                                  double tolerance, const Options& options, const Context& context);
 

@@ -44,7 +44,7 @@ Printed print(const bridge::PlaneBall& box, long digits) {
   const std::array<const ComplexBall*, 2> coordinates{&box.x, &box.y};
   for (std::size_t k = 0; k < 2; ++k) {
     if (is_exactly_zero(*coordinates[k])) continue;
-    const long magnitude = bridge::decimal_magnitude(*coordinates[k]);
+    const long magnitude = bridge::decimal_magnitude(*coordinates[k], digits);
     largest = std::max(largest, magnitude);
     result.parts[2 * k] = bridge::round_to_decimal(coordinates[k]->real(), magnitude - digits);
     result.parts[2 * k + 1] = bridge::round_to_decimal(coordinates[k]->imaginary(), magnitude - digits);
@@ -86,22 +86,6 @@ std::vector<bool> crowded_points(const SolutionSet& set, const std::vector<std::
   return crowded;
 }
 
-/// For each point the rank of one part among all: equal for parts whose enclosures meet, so that rounding noise in
-/// equal numbers does not decide the order.
-std::vector<std::size_t> ranks(const std::vector<arb_srcptr>& parts) {
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return arf_cmp(arb_midref(parts[a]), arb_midref(parts[b])) < 0;
-  });
-  std::vector<std::size_t> result(parts.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && arb_overlaps(parts[order[i - 1]], parts[order[i]]) != 0;
-    result[order[i]] = same ? result[order[i - 1]] : i;
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& indices, long digits) {
@@ -135,21 +119,17 @@ std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& 
     }
   }
 
-  std::array<std::vector<std::size_t>, 4> rank;
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<arb_srcptr> parts;
-    for (const std::size_t index : indices) {
-      const bridge::PlaneBall& box = set.points()[index].box;
-      const ComplexBall& coordinate = k < 2 ? box.x : box.y;
-      parts.push_back(k % 2 == 0 ? coordinate.real() : coordinate.imaginary());
-    }
-    rank[k] = ranks(parts);
-  }
+  // By the printed numbers: what is read is sorted, and parts that are equal to all digits asked for do not decide the
+  // order by what else is known of them.
+  std::vector<std::array<Rational, 4>> keys;
+  for (const Printed& each : printed)
+    keys.push_back({each.parts[0].to_rational(), each.parts[1].to_rational(), each.parts[2].to_rational(),
+                    each.parts[3].to_rational()});
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     for (std::size_t k = 0; k < 4; ++k)
-      if (rank[k][a] != rank[k][b]) return rank[k][a] < rank[k][b];
+      if (!(keys[a][k] == keys[b][k])) return keys[a][k] < keys[b][k];
     return false;
   });
 

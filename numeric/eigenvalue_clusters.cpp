@@ -24,6 +24,7 @@ struct SchurForm {
 };
 
 std::optional<SchurForm> schur_form(const Matrix<double>& matrix) {
+  if (!all_finite(matrix)) return std::nullopt;
   const int n = static_cast<int>(matrix.rows());
   SchurForm schur{matrix.cast<Complex>(), Matrix<Complex>(n, n), Vector<Complex>(n)};
   const char vectors = 'V';

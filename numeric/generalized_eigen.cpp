@@ -11,6 +11,7 @@ std::optional<Eigenpairs<double>> generalized_eigen(const Pencil<double>& pencil
   const int n = static_cast<int>(pencil.size());
   Eigenpairs<double> pairs;
   if (n == 0) return pairs;
+  if (!all_finite(a) || !all_finite(b)) return std::nullopt;
   Vector<double> alpha_real(n);
   Vector<double> alpha_imaginary(n);
   Vector<double> beta(n);
@@ -41,7 +42,7 @@ std::optional<Eigenpairs<double>> generalized_eigen(const Pencil<double>& pencil
     ++count;
   };
   for (int k = 0; k < n; ++k) {
-    if (alpha_imaginary(k) == 0) {
+    if (alpha_imaginary(k) == 0 || !std::isfinite(alpha_imaginary(k)) || k + 1 == n) {
       keep(k, vectors.col(k).cast<std::complex<double>>(), 1);
       continue;
     }

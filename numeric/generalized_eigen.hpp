@@ -17,11 +17,13 @@ struct Eigenpairs {
   Matrix<std::complex<Scalar>> vectors;
 };
 
-/// All eigenpairs of a pencil with invertible B, in no particular order; nullopt when the iteration does not converge.
+/// All eigenpairs of a pencil with invertible B, in no particular order; nullopt when the iteration does not converge
+/// or the entries are too large.
 /// MPFR scalars: LU of B, then the QR algorithm; it is two to three times cheaper than QZ there.
 template <class Scalar>
 std::optional<Eigenpairs<Scalar>> generalized_eigen(const Pencil<Scalar>& pencil) {
   const Matrix<Scalar> product = pencil.b.partialPivLu().solve(pencil.a);
+  if (!all_finite(product)) return std::nullopt;
   const Eigen::EigenSolver<Matrix<Scalar>> solver(product);
   if (solver.info() != Eigen::Success) return std::nullopt;
   return Eigenpairs<Scalar>{solver.eigenvalues(), solver.eigenvectors()};

@@ -62,9 +62,11 @@ class HessenbergEigenproblem {
         imaginary_(n_) {
     int info = 0;
     dgebal_(&both, &n_, reduced_.data(), &n_, &lowest_, &highest_, scale_.data(), &info);
+    if (info != 0) return;
     const int work_size = 64 * n_;
     Vector<double> work(work_size);
     dgehrd_(&n_, &lowest_, &highest_, reduced_.data(), &n_, reflectors_.data(), work.data(), &work_size, &info);
+    if (info != 0) return;
     Matrix<double> iterated = reduced_;
     double unused = 0;
     const int zero = 0;
@@ -152,7 +154,9 @@ std::vector<PlanePoint<double>> points_by_eigenvalues(const MultiplicationMatric
                                                       const BivariatePolynomial<double>& q, long m, long n) {
   std::vector<PlanePoint<double>> points;
   if (matrices.x.rows() == 0) return points;
-  const HessenbergEigenproblem problem(generic_combination(matrices));
+  const Matrix<double> generic = generic_combination(matrices);
+  if (!all_finite(generic)) return points;
+  const HessenbergEigenproblem problem(generic);
   if (!problem.converged()) return points;
   // A point is taken from its line if Newton's method stays on the line; more steps are left to the caller.
   constexpr int newton_steps = 6;
@@ -184,6 +188,7 @@ std::vector<PlanePoint<double>> points_by_eigenvectors(const MultiplicationMatri
   std::vector<PlanePoint<double>> points;
   if (n == 0) return points;
   Matrix<double> generic = generic_combination(matrices);
+  if (!all_finite(generic)) return points;
   Vector<double> real(n);
   Vector<double> imaginary(n);
   Matrix<double> vectors(n, n);
@@ -202,7 +207,7 @@ std::vector<PlanePoint<double>> points_by_eigenvectors(const MultiplicationMatri
          work.data(), &work_size, &info);
   if (info != 0) return points;
   for (int k = 0; k < n; ++k) {
-    const bool pair = imaginary(k) != 0;
+    const bool pair = imaginary(k) != 0 && k + 1 < n;
     Eigen::VectorXcd vector = vectors.col(k).cast<Complex>();
     if (pair) vector += Complex(0, 1) * vectors.col(k + 1);
     points.push_back(point_of(matrices, vector));

@@ -30,7 +30,7 @@ struct MultiplicationMatrices {
 /// coefficients
 ///    (the hybrid Bezout matrix of the leading forms, invertible).
 /// 4. Row b of X is the row of x b in N, row b of Y that of y b; y^m is replaced through a_m p + b_n y^(m-n) q.
-/// nullopt when a pivot vanishes. Guarantee: none (floating point).
+/// nullopt when a pivot vanishes or a number is out of range. Guarantee: none (floating point).
 /// Derivation: docs/graded-pencil.md.
 template <class Scalar>
 std::optional<MultiplicationMatrices<Scalar>> multiplication_matrices(const MatrixPolynomial<Scalar>& hybrid_bezout,

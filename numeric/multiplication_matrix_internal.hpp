@@ -74,6 +74,7 @@ std::optional<MultiplicationMatrices<Scalar>> multiplication_matrices(const Matr
 
   // Step 2. position[monomial] < rank: a pivot, its row in Z; otherwise rank + its place among the normal monomials.
   const long rank = relations.cols();
+  if (!all_finite(relations)) return std::nullopt;
   std::vector<long> order(static_cast<std::size_t>(lower_count));
   std::iota(order.begin(), order.end(), 0L);
   if (!tall_lu(relations, order)) return std::nullopt;
@@ -142,6 +143,7 @@ std::optional<MultiplicationMatrices<Scalar>> multiplication_matrices(const Matr
               add(result.y.row(row), i + k, l + lift, Scalar(-weight * curve->coefficients(k, l)));
       }
     }
+  if (!all_finite(result.x) || !all_finite(result.y)) return std::nullopt;
   return result;
 }
 

@@ -48,4 +48,15 @@ bool is_finite(const std::complex<Scalar>& z) {
   return isfinite(z.real()) && isfinite(z.imag());
 }
 
+/// No entry is infinite or NaN: LAPACK's routines may write outside their arrays otherwise.
+template <class Derived>
+bool all_finite(const Eigen::MatrixBase<Derived>& matrix) {
+  using boost::multiprecision::isfinite;
+  using std::isfinite;
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+      if (!isfinite(matrix(i, j))) return false;
+  return true;
+}
+
 }  // namespace eliminant::numeric

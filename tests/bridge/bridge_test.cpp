@@ -214,7 +214,9 @@ TEST_CASE("Decimals: rounding is to nearest, half to even, and printing loses no
   CHECK(printed("-1.25e-40", -42) == "-1.25e-40");
   CHECK(printed("1e30", 20) == "1e30");
   CHECK(Decimal{Integer(-125), -2}.to_rational() == Rational(-5) / Rational(4));
-  CHECK(decimal_magnitude(ComplexBall(0.5, 0)) == 0);
-  CHECK(decimal_magnitude(ComplexBall(1, 0)) == 1);
-  CHECK(decimal_magnitude(ComplexBall(0, -99)) == 2);
+  CHECK(decimal_magnitude(ComplexBall(0.5, 0), 15) == 0);
+  CHECK(decimal_magnitude(ComplexBall(1, 0), 15) == 1);
+  CHECK(decimal_magnitude(ComplexBall(0, -99), 15) == 2);
+  CHECK(decimal_magnitude(ComplexBall(1 - 0x1p-53, 0), 15) == 1);
+  CHECK(decimal_magnitude(ComplexBall(1 - 0x1p-53, 0), 25) == 0);
 }

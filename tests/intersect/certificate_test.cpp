@@ -46,7 +46,7 @@ Certificate certificate_of(const PlaneCurvesProblem& input) {
 }
 
 std::vector<std::string> check(const PlaneCurvesProblem& input, const Certificate& certificate) {
-  return check_certificate(input.p, input.q, certificate, Context());
+  return check_certificate(input, certificate, Context());
 }
 
 Rational power_of_ten(long exponent) {
@@ -188,6 +188,50 @@ TEST_CASE("Certificate: what is said of the whole is checked, too") {
   Certificate partial = certificate_of(square);
   partial.common_component = curve("x-y");  // divides both, but is not all
   CHECK(!check(square, partial).empty());
+}
+
+TEST_CASE("Certificate: a ball beside its solution is refused, however far from the origin or near to the border") {
+  const auto refused = [](const PlaneCurvesProblem& input, const Rational& x, long radius_exponent) {
+    Certificate certificate;
+    certificate.p = input.p;
+    certificate.q = input.q;
+    CertifiedBall ball;
+    ball.x_real = x;
+    ball.radius_exponent = radius_exponent;
+    ball.real = true;
+    certificate.balls.push_back(ball);
+    return !check(input, certificate).empty();
+  };
+  const Rational far(symbolic::power(symbolic::Integer(2), 700));
+  const PlaneCurvesProblem distant = problem("x-2^700", "y");
+  CHECK_FALSE(refused(distant, far, 0));
+  for (const unsigned long exponent : {1UL, 100UL, 187UL})
+    CHECK(refused(distant, far + Rational(symbolic::power(symbolic::Integer(2), exponent)), 0));
+  const PlaneCurvesProblem origin = problem("x", "y");
+  CHECK_FALSE(refused(origin, Rational(1) / Rational(2) * power_of_ten(-30), -30));
+  CHECK(refused(origin, power_of_ten(-30) + power_of_ten(-39), -30));
+}
+
+TEST_CASE("Certificate: other names, and a component of two zero polynomials") {
+  const PlaneCurvesProblem input = problem("x-1", "y-2");
+  Certificate certificate = certificate_of(input);
+  certificate.variables = {"y", "x"};
+  CHECK(!check(input, certificate).empty());
+  const PlaneCurvesProblem plane = problem("0", "0");
+  Certificate component = certificate_of(plane);
+  component.common_component = curve("x");
+  CHECK(!check(plane, component).empty());
+}
+
+TEST_CASE("Certificate: solutions of very different sizes") {
+  for (const auto& [p, q] : {std::pair{"x^2-10^(-320)", "y^2*(y-1)"},
+                             {"x^2*(x-10^160)", "y^2-y"},
+                             {"x*(x-1)^2*(x-10^200)", "y^2-2"},
+                             {"(x^2-2*10^(-300))^2", "(y^2-3*10^300)^3"}}) {
+    CAPTURE(std::string(p));
+    const PlaneCurvesProblem input = problem(p, q);
+    CHECK(check(input, certificate_of(input)).empty());
+  }
 }
 
 TEST_CASE("Certificate: constants and zero polynomials") {

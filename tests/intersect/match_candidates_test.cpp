@@ -128,3 +128,26 @@ TEST_CASE("Candidates: on a common component; no solution at all; a senseless to
   CHECK_FALSE(report.spurious[0].solution.has_value());
   CHECK_THROWS_AS(match_candidates(shared, candidates, 0, options, Context()), InvalidInput);
 }
+
+TEST_CASE("Candidates: coordinates of very different sizes, beyond the range of double, and fine tolerances") {
+  const auto accepted = [](const PlaneCurvesProblem& input, const std::vector<Candidate>& candidates,
+                           double tolerance) {
+    return match_candidates(input, candidates, tolerance, {}, Context()).reasons.empty();
+  };
+  const auto power = [](unsigned long exponent) { return Rational(symbolic::power(symbolic::Integer(10), exponent)); };
+  // The nearest doubles: the error in x is larger than the difference of the solutions in y.
+  const PlaneCurvesProblem wide = problem("x^2-2*10^40", "y^2-2");
+  std::vector<Candidate> rounded;
+  for (const int sign_x : {1, -1})
+    for (const int sign_y : {1, -1})
+      rounded.push_back(real_candidate(Rational(sign_x) * Rational(141421356237309510L) * Rational(1000),
+                                       Rational(sign_y) * Rational(14142135623730951L) / power(16)));
+  CHECK(accepted(wide, rounded, 1e-6));
+  const PlaneCurvesProblem distant = problem("x-10^400", "y-1");
+  CHECK(accepted(distant, {real_candidate(power(400), 1)}, 1e-6));
+  for (const Rational& x : {Rational(-1) * power(800), Rational(2) * power(400), Rational(11) * power(399)})
+    CHECK_FALSE(accepted(distant, {real_candidate(x, 1)}, 1e-6));
+  CHECK_FALSE(accepted(problem("x-10^308", "y-10^309"), {real_candidate(0, 0)}, 1e-6));
+  CHECK_FALSE(accepted(problem("x*(y-1)", "x*(y+x)"), {real_candidate(-1, 1), real_candidate(power(400), 7)}, 1e-6));
+  CHECK(accepted(problem("x^2+y^2-5", "x-2*y"), {real_candidate(2, 1), real_candidate(-2, -1)}, 1e-100));
+}

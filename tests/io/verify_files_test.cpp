@@ -48,7 +48,7 @@ TEST_CASE("certificate file: reading gives back what was written") {
     const intersect::Certificate again = read_certificate(text);
     CHECK(certificate_json(again) == text);
     CHECK(again.balls.size() == result.certificate->balls.size());
-    CHECK(intersect::check_certificate(file.problem.p, file.problem.q, again, Context()).empty());
+    CHECK(intersect::check_certificate(file.problem, again, Context()).empty());
   }
 }
 
