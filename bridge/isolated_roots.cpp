@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numeric>
 #include <optional>
 
@@ -96,7 +97,7 @@ class Isolation {
     for (long i = 0; i <= degree_; ++i) coefficients.push_back(scaled(p.coefficient(i)));
     constexpr int max_sweeps = 60;
     for (const numeric::ScaledComplex& z : numeric::ehrlich_aberth(coefficients, max_sweeps))
-      roots_.push_back({exact_ball(z), {}, {}});
+      roots_.push_back({exact_ball(z), {}, {}, {}});
     replace_nearest(approximations);
   }
 
@@ -120,6 +121,7 @@ class Isolation {
  private:
   struct Root {
     ComplexBall z;                   ///< exact
+    std::complex<double> rough;      ///< the same rounded, perhaps to 0 or infinity
     Value value;                     ///< of the polynomial in z
     std::optional<ComplexBall> box;  ///< contains a root
     bool settled = false;            ///< the value is hardly more than its rounding error, or steps change no digit
@@ -149,6 +151,8 @@ class Isolation {
   }
 
   void update(Root& root, const RealBallPolynomial& rounded, long precision_bits) const {
+    root.rough = {arf_get_d(arb_midref(root.z.real()), ARF_RND_NEAR),
+                  arf_get_d(arb_midref(root.z.imaginary()), ARF_RND_NEAR)};
     root.value = evaluate(rounded, root.z, precision_bits);
     root.box = inclusion_box(root.z, root.value, degree_);
     root.settled = acb_rel_accuracy_bits(root.value.value.get()) < useful_bits;
@@ -156,17 +160,23 @@ class Isolation {
 
   /// Sweeps over the active roots until all are isolated (true) or this precision has nothing more to give (false).
   bool iterate(const RealBallPolynomial& rounded, long precision_bits) {
-    constexpr int max_sweeps = 200;
+    constexpr int max_sweeps = 100;
+    constexpr int patience = 10;
+    std::size_t most_settled = 0;
+    int sweeps_in_vain = 0;
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
       find_clusters();
-      bool isolated = true;
-      bool movable = false;
+      std::size_t active = 0;
+      std::size_t settled = 0;
       for (const Root& root : roots_) {
-        isolated = isolated && !root.active;
-        movable = movable || (root.active && !root.settled);
+        if (root.active) ++active;
+        if (root.active && root.settled) ++settled;
       }
-      if (isolated) return true;
-      if (!movable) return false;
+      if (active == 0) return true;
+      // Once some have settled, the others follow soon, or wander in the rounding error.
+      sweeps_in_vain = settled > most_settled || settled == 0 ? 0 : sweeps_in_vain + 1;
+      most_settled = std::max(most_settled, settled);
+      if (settled == active || sweeps_in_vain > patience) return false;
       for (std::size_t i = 0; i < roots_.size(); ++i) {
         Root& root = roots_[i];
         if (!root.active || root.settled) continue;
@@ -180,20 +190,43 @@ class Isolation {
     return false;
   }
 
+  /// The sum of 1 / (z_i - z_j): in doubles where they tell both apart well, in balls of that precision else.
+  ComplexBall repulsion_on(std::size_t i, long precision_bits) const {
+    constexpr double least = 1e-100;
+    constexpr double largest = 1e100;
+    constexpr double well_apart = 1e-14;  // squared and relative
+    const std::complex<double> here = roots_[i].rough;
+    const double size = std::norm(here);
+    const bool doubles = size > least * least && size < largest * largest;
+    double re = 0;
+    double im = 0;
+    ComplexBall sum;
+    ComplexBall term;
+    for (std::size_t j = 0; j < roots_.size(); ++j) {
+      if (j == i) continue;
+      const double d_re = here.real() - roots_[j].rough.real();
+      const double d_im = here.imag() - roots_[j].rough.imag();
+      const double square = d_re * d_re + d_im * d_im;
+      if (doubles && square > well_apart * size && square < largest * largest) {
+        re += d_re / square;
+        im -= d_im / square;
+        continue;
+      }
+      acb_sub(term.get(), roots_[i].z.get(), roots_[j].z.get(), precision_bits);
+      if (acb_contains_zero(term.get())) continue;
+      acb_inv(term.get(), term.get(), precision_bits);
+      acb_add(sum.get(), sum.get(), term.get(), precision_bits);
+    }
+    acb_add(sum.get(), sum.get(), ComplexBall(re, im).get(), precision_bits);
+    return sum;
+  }
+
   /// z <- z - N / (1 - N A) with N = p / p' and A the sum of 1 / (z - z_j), where there is such a step.
   void aberth_step(std::size_t i, long precision_bits) {
     // The repulsion of the others needs no more accuracy than this to drive the iteration.
     constexpr long repulsion_bits = 64;
     Root& root = roots_[i];
-    ComplexBall repulsion;
-    ComplexBall term;
-    for (std::size_t j = 0; j < roots_.size(); ++j) {
-      if (j == i) continue;
-      acb_sub(term.get(), root.z.get(), roots_[j].z.get(), repulsion_bits);
-      if (acb_contains_zero(term.get())) continue;
-      acb_inv(term.get(), term.get(), repulsion_bits);
-      acb_add(repulsion.get(), repulsion.get(), term.get(), repulsion_bits);
-    }
+    ComplexBall repulsion = repulsion_on(i, repulsion_bits);
     repulsion = midpoint(repulsion);
     ComplexBall step;
     acb_mul(step.get(), root.value.value.get(), repulsion.get(), precision_bits);

@@ -268,7 +268,13 @@ class Solver {
         // After the graded pencil a large companion pencil would hardly find more.
         const bool second_chance = graded_tried_ && options_.engine != Engine::pencil;
         const long limit = precision_bits > 53 || second_chance ? largest_multiprecision_pencil : largest_double_pencil;
-        if (companion_pencil_size(p, q, hidden, options_.matrix) > limit) continue;
+        const long size = companion_pencil_size(p, q, hidden, options_.matrix);
+        if (size > limit) continue;
+        // Far more columns than solutions: the exact engine is quicker.
+        constexpr long small_pencil = 200;
+        const auto solutions = static_cast<long>(profile_.with_multiplicity);
+        if (options_.engine != Engine::pencil && options_.precision_bits == 0 && size > small_pencil + 3 * solutions)
+          continue;
         add_candidates(pencil_candidates(p, q, hidden, precision_bits, options_, context_), hidden, scaling,
                        expected_simple());
         add_in_ball_arithmetic(expected_simple());
