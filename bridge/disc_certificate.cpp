@@ -122,6 +122,15 @@ std::optional<DiscCertificate> disc_krawczyk_test(const RoundedCurve& p, const R
   return certificate;
 }
 
+bool far_apart(const DiscCertificate& a, const DiscCertificate& b) {
+  // Twice the radii leave room for the rounding of the differences.
+  const double reach = 2 * (a.radius + b.radius);
+  const Complex dx = a.center.x - b.center.x;
+  const Complex dy = a.center.y - b.center.y;
+  return std::fabs(dx.real()) > reach || std::fabs(dx.imag()) > reach || std::fabs(dy.real()) > reach ||
+         std::fabs(dy.imag()) > reach;
+}
+
 DiscCertificate conjugate(const DiscCertificate& certificate) {
   DiscCertificate result = certificate;
   result.center = {std::conj(certificate.center.x), std::conj(certificate.center.y)};

@@ -59,6 +59,9 @@ struct DiscCertificate {
 std::optional<DiscCertificate> disc_krawczyk_test(const RoundedCurve& p, const RoundedCurve& q,
                                                   const numeric::PlanePoint<double>& center);
 
+/// True when the polydiscs have no point in common, seen at a glance.
+bool far_apart(const DiscCertificate& a, const DiscCertificate& b);
+
 /// The same for the complex conjugate polydisc.
 DiscCertificate conjugate(const DiscCertificate& certificate);
 

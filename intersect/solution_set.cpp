@@ -130,6 +130,7 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
   if (acb_is_real(candidate.box.x.get()) && acb_is_real(candidate.box.y.get())) candidate.reality = Reality::real;
   // Either the same zero, which one box around both proves, or another one, which tighter boxes prove.
   for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (candidate.disc && points_[i].disc && bridge::far_apart(*candidate.disc, *points_[i].disc)) continue;
     long precision_bits = 128;
     while (!disjoint(points_[i].box, candidate.box)) {
       if (bridge::enclose_same_zero(scaled_p_, scaled_q_, to_scaled(points_[i].box), to_scaled(candidate.box)))
