@@ -140,8 +140,9 @@ class Run {
     if (options_.format == io::Format::csv)
       throw InvalidInput("verify cannot answer in the format csv", "--format text or json");
     const std::string path = arguments_.certificate ? *arguments_.certificate : *arguments_.candidates;
-    const std::string text = io::read_text(path);
+    const double tolerance = arguments_.tolerance ? io::tolerance(*arguments_.tolerance) : 1e-6;
     source_ = path == "-" ? "standard input" : path;
+    const std::string text = io::read_text(path);
     if (arguments_.certificate) {
       const intersect::Certificate certificate = io::read_certificate(text);
       const auto reasons =
@@ -152,7 +153,6 @@ class Run {
     const io::CandidatesFile file = io::read_candidates(text);
     intersect::Options options = options_.solve;
     if (file.real_only && options.field == intersect::Field::automatic) options.field = intersect::Field::real;
-    const double tolerance = arguments_.tolerance ? io::tolerance(*arguments_.tolerance) : 1e-6;
     const intersect::CandidateReport report = watched([&](const Context& context) {
       return intersect::match_candidates(problem, file.candidates, tolerance, options, context);
     });

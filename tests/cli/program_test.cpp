@@ -174,6 +174,8 @@ TEST_CASE("program: a certificate is written, and verify accepts it, but no corr
   CHECK(contains(refused.out, "\"verdict\": \"refused\""));
   CHECK(run_program(folder, verify + folder.write("none.json", "{}") + "'").status == 2);
   CHECK(run_program(folder, verify + folder.file("missing.json") + "'").status == 2);
+  CHECK(contains(run_program(folder, verify + folder.write("empty.json", "") + "'").err, "empty.json"));
+  CHECK(run_program(folder, "solve '" + problem + "' --certificate same -o same").status == 2);
   CHECK(run_program(folder, "solve '" + problem + "' --certificate /nowhere/c.json").status == 1);
 }
 
