@@ -29,9 +29,11 @@
 #include <flint/acb_poly.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
+#include <flint/arb_poly.h>
 #else
 #include <acb.h>
 #include <acb_poly.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
+#include <arb_poly.h>
 #endif
