@@ -30,7 +30,6 @@ class RealBallPolynomial {
   RealBallPolynomial& operator=(const RealBallPolynomial&) = delete;
   ~RealBallPolynomial() { arb_poly_clear(value_); }
   const arb_poly_struct* get() const { return value_; }
-  long degree() const { return arb_poly_degree(value_); }
   /// Replaces the polynomial by its derivative over `divisor`.
   void differentiate(unsigned long divisor, long precision_bits) {
     arb_poly_derivative(value_, value_, precision_bits);
@@ -226,8 +225,7 @@ class Isolation {
     // The repulsion of the others needs no more accuracy than this to drive the iteration.
     constexpr long repulsion_bits = 64;
     Root& root = roots_[i];
-    ComplexBall repulsion = repulsion_on(i, repulsion_bits);
-    repulsion = midpoint(repulsion);
+    const ComplexBall repulsion = midpoint(repulsion_on(i, repulsion_bits));
     ComplexBall step;
     acb_mul(step.get(), root.value.value.get(), repulsion.get(), precision_bits);
     acb_sub(step.get(), root.value.derivative.get(), step.get(), precision_bits);
@@ -242,8 +240,8 @@ class Isolation {
     root.settled = relative < static_cast<double>(8 - precision_bits);
   }
 
-  /// Marks the roots whose boxes meet another one as active, and gathers them: connected components, largest first
-  /// index first. A root without a box is active alone.
+  /// Marks the roots whose boxes meet another one as active, and gathers them in connected components. A root without a
+  /// box is active alone. Only boxes whose real parts meet are compared, in the order of their left ends.
   void find_clusters() {
     clusters_.clear();
     std::vector<std::size_t> order;
@@ -251,21 +249,15 @@ class Isolation {
       roots_[i].active = !roots_[i].box;
       if (roots_[i].box) order.push_back(i);
     }
-    struct Interval {
-      arf_t lower, upper;
-    };
-    std::vector<Interval> intervals(roots_.size());
     constexpr long bound_bits = 64;
-    for (Interval& interval : intervals) {
-      arf_init(interval.lower);
-      arf_init(interval.upper);
-    }
+    std::vector<RealBall> left(roots_.size());
+    std::vector<RealBall> right(roots_.size());
     for (const std::size_t i : order) {
-      arb_get_lbound_arf(intervals[i].lower, roots_[i].box->real(), bound_bits);
-      arb_get_ubound_arf(intervals[i].upper, roots_[i].box->real(), bound_bits);
+      arb_get_lbound_arf(arb_midref(left[i].get()), roots_[i].box->real(), bound_bits);
+      arb_get_ubound_arf(arb_midref(right[i].get()), roots_[i].box->real(), bound_bits);
     }
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      const int comparison = arf_cmp(intervals[a].lower, intervals[b].lower);
+      const int comparison = arf_cmp(arb_midref(left[a].get()), arb_midref(left[b].get()));
       return comparison != 0 ? comparison < 0 : a < b;
     });
     std::vector<std::size_t> parent(roots_.size());
@@ -276,15 +268,11 @@ class Isolation {
     };
     for (std::size_t a = 0; a < order.size(); ++a)
       for (std::size_t b = a + 1; b < order.size(); ++b) {
-        if (arf_cmp(intervals[order[b]].lower, intervals[order[a]].upper) > 0) break;
+        if (arf_cmp(arb_midref(left[order[b]].get()), arb_midref(right[order[a]].get())) > 0) break;
         if (!acb_overlaps(roots_[order[a]].box->get(), roots_[order[b]].box->get())) continue;
         parent[representative(order[b])] = representative(order[a]);
         roots_[order[a]].active = roots_[order[b]].active = true;
       }
-    for (Interval& interval : intervals) {
-      arf_clear(interval.upper);
-      arf_clear(interval.lower);
-    }
     std::vector<std::vector<std::size_t>> components(roots_.size());
     for (std::size_t i = 0; i < roots_.size(); ++i) components[representative(i)].push_back(i);
     for (auto& component : components)

@@ -111,6 +111,20 @@ bool leading_forms_coprime(const Polynomial& p, const Polynomial& q) {
   return symbolic::gcd(f, g).degree() == 0 && (f.degree() == p.total_degree() || g.degree() == q.total_degree());
 }
 
+/// RAII for a vector of integers as FLINT wants it.
+class IntegerVector {
+ public:
+  explicit IntegerVector(slong size) : size_(size), value_(_fmpz_vec_init(size)) {}
+  IntegerVector(const IntegerVector&) = delete;
+  IntegerVector& operator=(const IntegerVector&) = delete;
+  ~IntegerVector() { _fmpz_vec_clear(value_, size_); }
+  fmpz* get() const { return value_; }
+
+ private:
+  slong size_;
+  fmpz* value_;
+};
+
 /// Res_y(p(t - s y, y), q(t - s y, y)) in Z[t] up to a constant, by its values at one more integer than its degree can
 /// be.
 UnivariatePolynomial eliminant(const Polynomial& p, const Polynomial& q, long s, const Context& context) {
@@ -129,18 +143,16 @@ UnivariatePolynomial eliminant(const Polynomial& p, const Polynomial& q, long s,
     return result;
   };
   const long count = p.total_degree() * q.total_degree() + 1;
-  fmpz* const points = _fmpz_vec_init(count);
-  fmpz* const values = _fmpz_vec_init(count);
+  const IntegerVector points(count);
+  const IntegerVector values(count);
   UnivariatePolynomial result;
   for (long k = 0; k < count; ++k) {
     context.checkpoint("eliminant of the certificate");
-    fmpz_set_si(points + k, k % 2 == 0 ? k / 2 : -(k + 1) / 2);
-    const symbolic::Integer value(points + k);
-    fmpz_poly_resultant(values + k, restrict_to(f, value).get(), restrict_to(g, value).get());
+    fmpz_set_si(points.get() + k, k % 2 == 0 ? k / 2 : -(k + 1) / 2);
+    const symbolic::Integer value(points.get() + k);
+    fmpz_poly_resultant(values.get() + k, restrict_to(f, value).get(), restrict_to(g, value).get());
   }
-  fmpz_poly_interpolate_fmpz_vec(result.get(), points, values, count);
-  _fmpz_vec_clear(values, count);
-  _fmpz_vec_clear(points, count);
+  fmpz_poly_interpolate_fmpz_vec(result.get(), points.get(), values.get(), count);
   return result;
 }
 

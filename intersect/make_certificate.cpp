@@ -51,7 +51,8 @@ std::vector<long> choose_shears(const Polynomial& p, const Polynomial& q, const 
   return shears;
 }
 
-/// The point with about `digits` digits, its ball a hundred times larger than the error.
+/// The point with about `digits` digits. Its ball is far larger than the error of its centre: Newton's operator needs
+/// room.
 CertifiedBall write_ball(SolutionSet& set, std::size_t index, long digits) {
   const auto magnitude_of = [](const ComplexBall& z) {
     return acb_contains_zero(z.get()) != 0 ? 0L : std::max(0L, bridge::decimal_magnitude(z, 15));

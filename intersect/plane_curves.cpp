@@ -252,7 +252,7 @@ class Solver {
     const Polynomial q = scaled(q_, scaling);
     const std::size_t first = smaller_pencil_variable(p, q, options_.matrix);
     if (graded_tried_ && set_.points().size() < expected_simple()) {
-      // Eigenvalues alone did not lead to all; what they left waits no longer than the eigenvectors' answers.
+      // Where a line holds two solutions, or nearly so, eigenvalues alone do not lead to them; eigenvectors may.
       std::vector<PencilCandidates::Candidate> left = std::move(unproven_);
       add_candidates(graded_pencil_candidates(p, q, true, context_), 0, scaling, expected_simple());
       unproven_.insert(unproven_.end(), std::make_move_iterator(left.begin()), std::make_move_iterator(left.end()));

@@ -20,11 +20,11 @@ struct EnclosedPoint {
   bridge::PlaneBall box;
   unsigned long multiplicity = 1;
   Reality reality = Reality::undecided;
-  /// Where it came from: the Krawczyk test where class and product are unset.
-  /// The test in hardware doubles, in the scaled coordinates of the set.
-  std::optional<bridge::DiscCertificate> disc;
-  /// Where such a test has proven that there is no other solution, also scaled.
+  // Where it came from, which is how it can be enclosed more tightly: one of three.
+  /// The Krawczyk test, where class and product are unset: `region`, in the scaled coordinates of the set, holds no
+  /// other solution; `disc` is the proof where hardware doubles gave it.
   bridge::PlaneBall region;
+  std::optional<bridge::DiscCertificate> disc;
   /// A class of the representation and a root of its factor.
   std::optional<std::size_t> class_index;
   std::size_t root_index = 0;
@@ -46,10 +46,10 @@ class SolutionSet {
 
   const std::vector<EnclosedPoint>& points() const { return points_; }
 
-  /// Tries to enclose a simple solution near `start` (given in the coordinates of p and q) in a box of radius at most
-  /// 2^radius_log2: by the Krawczyk test in hardware doubles, or in ball arithmetic of at most `max_precision_bits`
-  /// (53: none). A solution that is not real brings its conjugate with it. Returns the number of solutions that are
-  /// new: 0 when nothing was proven or it is already there.
+  /// Tries to prove a simple solution near `start` (given in the coordinates of p and q): by the Krawczyk test in
+  /// hardware doubles, or in a box of radius at most 2^radius_log2 in ball arithmetic from `first_precision_bits`, that
+  /// of `start`, to `max_precision_bits` (53: none). A solution that is not real brings its conjugate with it. Returns
+  /// the number of solutions that are new: 0 when nothing was proven or it is already there.
   int add_simple(const bridge::PlaneBall& start, long radius_log2, long max_precision_bits,
                  long first_precision_bits = 96);
 

@@ -2,6 +2,7 @@
 //
 // The systems of tests/data/local_multiplicities.txt: dimensions of local rings from Singular, see
 // generate_local_multiplicities.py there.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

@@ -4,6 +4,7 @@
 //   ELIMINANT_RANDOM_SYSTEMS   number of systems (1000)
 //   ELIMINANT_RANDOM_FIRST     seed of the first system (0); system n depends on its seed n alone
 // The target random_systems runs 100000.
+#include <array>
 #include <cstdlib>
 
 #include <doctest/doctest.h>
