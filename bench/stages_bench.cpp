@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <eliminant/bridge/disc_certificate.hpp>
+#include <eliminant/bridge/isolated_roots.hpp>
 #include <eliminant/bridge/krawczyk_test.hpp>
 #include <eliminant/bridge/round_matrix.hpp>
 #include <eliminant/intersect/pencil_candidates.hpp>
@@ -223,6 +224,23 @@ void univariate_representation(benchmark::State& state) {
   state.counters["distinct"] = static_cast<double>(distinct);
 }
 
+/// The roots of the eliminant, each in a ball of its own: all complex ones, or (real_only) the real ones by Descartes'
+/// rule of signs.
+void isolated_roots(benchmark::State& state) {
+  const CurvePair pair = dense_pair(state.range(0));
+  const Context context;
+  const symbolic::UnivariatePolynomial form =
+      symbolic::chow_form(pair.p, pair.q, 1, false, seed, context).form.primitive_part();
+  std::size_t roots = 0;
+  for (auto _ : state) {
+    const auto isolated =
+        state.range(1) == 1 ? bridge::IsolatedRoots::real(form, context) : bridge::IsolatedRoots(form, context);
+    roots = isolated.balls().size();
+  }
+  state.counters["degree"] = static_cast<double>(form.degree());
+  state.counters["roots"] = static_cast<double>(roots);
+}
+
 /// All solutions by the Krawczyk test in hardware doubles, from refined points of the graded pencil.
 void disc_certificate(benchmark::State& state) {
   const RoundedPair rounded(state.range(0));
@@ -283,6 +301,10 @@ BENCHMARK(solution_profile)->Apply(dense_degrees);
 BENCHMARK(chow_form)
     ->ArgsProduct({{5, 10, 15, 20}, {0, 1}})
     ->ArgNames({"degree", "derivative"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(isolated_roots)
+    ->ArgsProduct({{5, 10, 15, 20, 30}, {0, 1}})
+    ->ArgNames({"degree", "real_only"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(univariate_representation)->Apply(dense_degrees);
 BENCHMARK(disc_certificate)->Apply(dense_degrees);

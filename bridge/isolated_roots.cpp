@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/bridge/descartes_isolation.hpp>
 #include <eliminant/bridge/isolated_roots.hpp>
 #include <eliminant/numeric/ehrlich_aberth.hpp>
 
@@ -360,6 +361,20 @@ IsolatedRoots::IsolatedRoots(const symbolic::UnivariatePolynomial& squarefree, c
   });
 }
 
+IsolatedRoots IsolatedRoots::real(const symbolic::UnivariatePolynomial& squarefree, const Context& context) {
+  const std::optional<std::vector<RealBall>> isolated = descartes_isolation(squarefree, context);
+  if (!isolated) {
+    IsolatedRoots all(squarefree, context);
+    std::erase_if(all.balls_, [](const ComplexBall& ball) { return arb_is_zero(ball.imaginary()) == 0; });
+    return all;
+  }
+  IsolatedRoots result;
+  result.p_ = squarefree;
+  result.by_signs_ = true;
+  for (const RealBall& root : *isolated) arb_set(result.balls_.emplace_back().real(), root.get());
+  return result;
+}
+
 void IsolatedRoots::decide_reality(const Context& context) {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     for (long bits = 64; arb_contains_zero(balls_[i].imaginary()) != 0; bits *= 2) {
@@ -379,6 +394,12 @@ void IsolatedRoots::decide_reality(const Context& context) {
 
 void IsolatedRoots::refine(std::size_t index, long relative_bits, const Context& context) {
   ComplexBall& ball = balls_[index];
+  if (by_signs_) {
+    RealBall real(ball.real());
+    refine_real_root(p_, real, relative_bits, context);
+    arb_swap(ball.real(), real.get());
+    return;
+  }
   // Also when the ball is exact: its accuracy is the largest number there is.
   const auto accuracy = [](const ComplexBall& z) { return static_cast<long>(acb_rel_accuracy_bits(z.get())); };
   if (acb_is_zero(ball.get()) || accuracy(ball) >= relative_bits) return;

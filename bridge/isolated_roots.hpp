@@ -25,6 +25,9 @@ class IsolatedRoots {
   /// make it quicker where the roots are ill-conditioned; the midpoints count.
   IsolatedRoots(const symbolic::UnivariatePolynomial& squarefree, const Context& context,
                 const std::vector<ComplexBall>& approximations = {});
+  /// The real roots alone, by Descartes' rule of signs where that is quick (bridge/descartes_isolation): their balls
+  /// are disjoint; roots that are not real are nowhere, perhaps also within a ball.
+  static IsolatedRoots real(const symbolic::UnivariatePolynomial& squarefree, const Context& context);
 
   const std::vector<ComplexBall>& balls() const { return balls_; }
   /// Makes the radius of one ball at most 2^-relative_bits times the modulus of the root, by Newton's method; the
@@ -35,6 +38,7 @@ class IsolatedRoots {
   void decide_reality(const Context& context);
 
   symbolic::UnivariatePolynomial p_;  ///< without the root 0
+  bool by_signs_ = false;             ///< the balls are those of descartes_isolation
   std::vector<ComplexBall> balls_;
 };
 

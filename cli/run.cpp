@@ -131,6 +131,7 @@ class Run {
       for (const std::string& warning : result.warnings) say("warning: " + warning);
     if (!arguments_.quiet && options_.format == io::Format::csv && result.common_component)
       say("warning: the curves have a common component, which CSV cannot show");
+    if (result.limit) say(io::error_line(io::report_error(LimitReached(*result.limit)), source_));
     if (result.certificate) certificate_.write(io::certificate_json(*result.certificate));
     give(print(result));
     return result.status == intersect::Status::incomplete ? 3 : 0;

@@ -81,11 +81,18 @@ void check(const PlaneCurvesProblem& problem, const Options& options) {
 /// One solve of two coprime curves, none of them constant.
 class Solver {
  public:
-  Solver(const Polynomial& p, const Polynomial& q, const Options& options, const Context& context, Result& result,
-         StageClock& clock)
-      : p_(p), q_(q), options_(options), context_(context), result_(result), clock_(clock), set_(p, q, context) {}
+  Solver(const Polynomial& p, const Polynomial& q, Wanted wanted, const Options& options, const Context& context,
+         Result& result, StageClock& clock)
+      : p_(p),
+        q_(q),
+        options_(options),
+        context_(context),
+        result_(result),
+        clock_(clock),
+        wanted_(wanted),
+        set_(p, q, wanted, context) {}
 
-  /// Fills the counts, the engine report and the set; true when every solution is proven and none is missing.
+  /// Fills the counts, the engine report and the set; true when every wanted solution is proven and none is missing.
   bool run() {
     result_.engine.seed = options_.seed;
     counts().bezout_number =
@@ -99,10 +106,19 @@ class Solver {
     set_.decide_reality();
     clock_.finish("certification");
     report_method();
-    return set_.points().size() == expected_distinct();
+    return missing_ == 0;
   }
 
+  /// The number of simple solutions that the pencil engine did not find, known after run().
+  unsigned long missing() const { return missing_; }
+
   SolutionSet& set() { return set_; }
+
+  /// After a limit: what was found so far, each point once.
+  const SolutionSet& found_so_far() {
+    if (superseded_.size() > set_.points().size()) set_.put_back(std::move(superseded_));
+    return set_;
+  }
 
   /// The number of distinct solutions, known after run().
   unsigned long expected_distinct() const {
@@ -127,14 +143,18 @@ class Solver {
     const auto factors = [&](const Polynomial& curve, std::size_t hidden) {
       return symbolic::squarefree_decomposition(symbolic::hide_variable(curve, hidden).leading_coefficient());
     };
-    set_.add_product(factors(x_then_y ? p_ : q_, 0), factors(x_then_y ? q_ : p_, 1));
+    const std::vector<symbolic::SquarefreeFactor> x_factors = factors(x_then_y ? p_ : q_, 0);
+    const std::vector<symbolic::SquarefreeFactor> y_factors = factors(x_then_y ? q_ : p_, 1);
+    set_.add_product(x_factors, y_factors);
     profile_.bezout_holds = true;
     profile_.with_multiplicity = counts().bezout_number;
-    for (const EnclosedPoint& point : set_.points()) {
-      auto& distinct = profile_.distinct_by_multiplicity;
-      distinct.resize(std::max<std::size_t>(distinct.size(), point.multiplicity), 0);
-      ++distinct[point.multiplicity - 1];
-    }
+    for (const symbolic::SquarefreeFactor& in_x : x_factors)
+      for (const symbolic::SquarefreeFactor& in_y : y_factors) {
+        auto& distinct = profile_.distinct_by_multiplicity;
+        const unsigned long multiplicity = in_x.multiplicity * in_y.multiplicity;
+        distinct.resize(std::max<std::size_t>(distinct.size(), multiplicity), 0);
+        distinct[multiplicity - 1] += static_cast<unsigned long>(in_x.factor.degree() * in_y.factor.degree());
+      }
     counts().with_multiplicity = counts().bezout_number;
     clock_.finish("roots of both polynomials");
     return true;
@@ -361,6 +381,7 @@ class Solver {
   void add_exact_classes(bool pencil_complete) {
     std::vector<bridge::PlaneBall> known;
     if (!pencil_complete && options_.engine == Engine::pencil) {
+      missing_ = expected_simple() - static_cast<unsigned long>(set_.points().size());
       result_.warnings.push_back("the pencil engine found " + std::to_string(set_.points().size()) + " of " +
                                  std::to_string(expected_simple()) + " simple solutions");
     } else if (!pencil_complete) {
@@ -368,14 +389,14 @@ class Solver {
       if (!set_.representation()) throw PrecisionExhausted("no shear could be proven to separate the solutions");
       if (options_.engine != Engine::exact)
         result_.warnings.push_back("the pencil engine found " + std::to_string(set_.points().size()) + " of " +
-                                   std::to_string(expected_simple()) +
-                                   " simple solutions; the exact engine computed all of them");
-      for (std::size_t i = 0; i < set_.points().size(); ++i) {
+                                   std::to_string(expected_simple()) + " simple solutions; the exact engine computed " +
+                                   (wanted_ == Wanted::all ? "all of them" : "the real ones"));
+      for (std::size_t i = 0; i < set_.points().size() && wanted_ == Wanted::all; ++i) {
         // Beyond double precision: the roots of the eliminant may need it.
         set_.enclose(i, 4 * first_radius_log2);
         known.push_back(set_.points()[i].box);
       }
-      set_.clear();
+      superseded_ = set_.take_points();
     }
     if (!set_.representation()) return;
     const auto& classes = set_.representation()->classes;
@@ -383,6 +404,7 @@ class Solver {
     for (std::size_t k = 0; k < classes.size(); ++k)
       if (classes[k].multiplicity > 1 || simple_too)
         set_.add_class(k, classes[k].multiplicity == 1 ? known : std::vector<bridge::PlaneBall>{});
+    superseded_.clear();
   }
 
   void report_method() {
@@ -404,10 +426,14 @@ class Solver {
   const Context& context_;
   Result& result_;
   StageClock& clock_;
+  Wanted wanted_;
   SolutionSet set_;
+  /// What the pencil found, while the exact engine finds it again.
+  std::vector<EnclosedPoint> superseded_;
   SolutionProfile profile_;
   std::vector<PencilCandidates::Candidate> unproven_;
   bool graded_tried_ = false;
+  unsigned long missing_ = 0;
 };
 
 /// Whether a real point lies in the closed box, decided exactly: equality with a border has been found before.
@@ -450,6 +476,48 @@ std::vector<std::size_t> listed_points(SolutionSet& set, const PlaneCurvesProble
   return indices;
 }
 
+/// Fills the solutions and the counts of a complete run.
+void list_solutions(Solver& solver, const PlaneCurvesProblem& problem, const Options& options, Result& result) {
+  Counts& counts = result.counts;
+  counts.distinct = solver.expected_distinct();
+  for (const EnclosedPoint& point : solver.set().points()) {
+    if (point.reality == Reality::real) ++counts.real;
+    if (point.reality == Reality::undecided) ++counts.undecided;
+  }
+  // What was not found is neither proven real nor proven non-real.
+  counts.undecided += solver.missing();
+  result.solutions = present(solver.set(), listed_points(solver.set(), problem, options), options.digits);
+}
+
+/// Fills them after a limit, without any further computation: the counts are of what is listed.
+void list_found(const SolutionSet& set, const PlaneCurvesProblem& problem, const Options& options, Result& result) {
+  const auto surely_inside = [](const bridge::ComplexBall& coordinate, const std::array<symbolic::Rational, 2>& side) {
+    constexpr long precision_bits = 128;
+    return arb_ge(coordinate.real(), bridge::RealBall(side[0], precision_bits).get()) != 0 &&
+           arb_le(coordinate.real(), bridge::RealBall(side[1], precision_bits).get()) != 0;
+  };
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < set.points().size(); ++i) {
+    const EnclosedPoint& point = set.points()[i];
+    if ((problem.box || options.field == Field::real) && point.reality != Reality::real) continue;
+    if (problem.box && !(surely_inside(point.box.x, problem.box->x) && surely_inside(point.box.y, problem.box->y)))
+      continue;
+    indices.push_back(i);
+  }
+  result.solutions = present_as_enclosed(set, indices, options.digits);
+  Counts counts;
+  counts.bezout_number = result.counts.bezout_number;
+  for (Solution& solution : result.solutions) {
+    solution.reason = "a limit was reached";
+    ++counts.distinct;
+    ++counts.listed;
+    counts.with_multiplicity += solution.multiplicity;
+    if (solution.reality == Reality::real) ++counts.real;
+    if (solution.reality == Reality::undecided) ++counts.undecided;
+  }
+  result.counts = counts;
+}
+
 }  // namespace
 
 Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& options, const Context& context) {
@@ -472,22 +540,23 @@ Result intersect_plane_curves(const PlaneCurvesProblem& problem, const Options& 
     result.engine.seed = options.seed;
     if (options.certificate) result.certificate = make_certificate(problem, split, nullptr, context);
   } else {
-    Solver solver(split.first, split.second, options, context, result, clock);
-    proven = solver.run();
-    Counts& counts = result.counts;
-    counts.distinct = solver.expected_distinct();
-    for (const EnclosedPoint& point : solver.set().points()) {
-      if (point.reality == Reality::real) ++counts.real;
-      if (point.reality == Reality::undecided) ++counts.undecided;
-    }
-    // What was not found is neither proven real nor proven non-real.
-    counts.undecided += counts.distinct - static_cast<unsigned long>(solver.set().points().size());
-    const std::vector<std::size_t> indices = listed_points(solver.set(), problem, options);
-    result.solutions = present(solver.set(), indices, options.digits);
-    clock.finish("refinement");
-    if (options.certificate && proven) {
-      result.certificate = make_certificate(problem, split, &solver.set(), context);
-      clock.finish("certificate");
+    // A certificate is of all solutions.
+    const bool real_only = (problem.box || options.field == Field::real) && !options.certificate;
+    Solver solver(split.first, split.second, real_only ? Wanted::real : Wanted::all, options, context, result, clock);
+    try {
+      proven = solver.run();
+      list_solutions(solver, problem, options, result);
+      clock.finish("refinement");
+      if (options.certificate && proven) {
+        result.certificate = make_certificate(problem, split, &solver.set(), context);
+        clock.finish("certificate");
+      }
+    } catch (const LimitReached& limit) {
+      if (solver.found_so_far().points().empty()) throw;
+      list_found(solver.found_so_far(), problem, options, result);
+      result.status = Status::incomplete;
+      result.limit = limit.what();
+      return result;
     }
   }
   result.counts.listed = static_cast<unsigned long>(result.solutions.size());

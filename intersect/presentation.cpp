@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include <eliminant/bridge/decimal.hpp>
 #include <eliminant/intersect/presentation.hpp>
@@ -86,6 +88,68 @@ std::vector<bool> crowded_points(const SolutionSet& set, const std::vector<std::
   return crowded;
 }
 
+/// What an enclosure tells as it is; nullopt when that is not one digit of the larger coordinate.
+std::optional<Printed> print_as_enclosed(const bridge::PlaneBall& box, long digits) {
+  constexpr double log10_of_2 = 0.30102999566398120;
+  long exponent = std::numeric_limits<long>::min();
+  bool legible = false;
+  for (const ComplexBall* coordinate : {&box.x, &box.y}) {
+    if (acb_is_finite(coordinate->get()) == 0) return std::nullopt;
+    if (is_exactly_zero(*coordinate)) {
+      legible = true;
+      continue;
+    }
+    for (arb_srcptr part : {coordinate->real(), coordinate->imaginary()})
+      if (mag_is_zero(arb_radref(part)) == 0) {
+        const double radius_log10 = mag_get_d_log2_approx(arb_radref(part)) * log10_of_2;
+        exponent = std::max(exponent, static_cast<long>(std::ceil(radius_log10 + 0.01)) + 1);
+      }
+    if (acb_contains_zero(coordinate->get()) != 0) continue;
+    legible = legible || acb_rel_accuracy_bits(coordinate->get()) > 4;
+    exponent = std::max(exponent, bridge::decimal_magnitude(*coordinate, digits) - digits);
+  }
+  if (!legible) return std::nullopt;
+  Printed result;
+  if (exponent == std::numeric_limits<long>::min()) exponent = -digits;
+  const std::array<const ComplexBall*, 2> coordinates{&box.x, &box.y};
+  for (std::size_t k = 0; k < 2; ++k) {
+    result.parts[2 * k] = bridge::round_to_decimal(coordinates[k]->real(), exponent);
+    result.parts[2 * k + 1] = bridge::round_to_decimal(coordinates[k]->imaginary(), exponent);
+  }
+  result.radius_exponent = exponent;
+  return result;
+}
+
+std::vector<Solution> sorted_solutions(const SolutionSet& set, const std::vector<std::size_t>& indices,
+                                       const std::vector<Printed>& printed) {
+  // By the printed numbers: what is read is sorted, and parts that are equal to all digits asked for do not decide the
+  // order by what else is known of them.
+  std::vector<std::array<Rational, 4>> keys;
+  for (const Printed& each : printed)
+    keys.push_back({each.parts[0].to_rational(), each.parts[1].to_rational(), each.parts[2].to_rational(),
+                    each.parts[3].to_rational()});
+  std::vector<std::size_t> order(printed.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (!(keys[a][k] == keys[b][k])) return keys[a][k] < keys[b][k];
+    return false;
+  });
+
+  std::vector<Solution> solutions;
+  for (const std::size_t i : order) {
+    const EnclosedPoint& point = set.points()[indices[i]];
+    Solution solution;
+    solution.x = {point.box.x, printed[i].parts[0].to_string(), printed[i].parts[1].to_string()};
+    solution.y = {point.box.y, printed[i].parts[2].to_string(), printed[i].parts[3].to_string()};
+    solution.radius_exponent = printed[i].radius_exponent;
+    solution.reality = point.reality;
+    solution.multiplicity = point.multiplicity;
+    solutions.push_back(std::move(solution));
+  }
+  return solutions;
+}
+
 }  // namespace
 
 std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& indices, long digits) {
@@ -119,32 +183,19 @@ std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& 
     }
   }
 
-  // By the printed numbers: what is read is sorted, and parts that are equal to all digits asked for do not decide the
-  // order by what else is known of them.
-  std::vector<std::array<Rational, 4>> keys;
-  for (const Printed& each : printed)
-    keys.push_back({each.parts[0].to_rational(), each.parts[1].to_rational(), each.parts[2].to_rational(),
-                    each.parts[3].to_rational()});
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    for (std::size_t k = 0; k < 4; ++k)
-      if (!(keys[a][k] == keys[b][k])) return keys[a][k] < keys[b][k];
-    return false;
-  });
+  return sorted_solutions(set, indices, printed);
+}
 
-  std::vector<Solution> solutions;
-  for (const std::size_t i : order) {
-    const EnclosedPoint& point = set.points()[indices[i]];
-    Solution solution;
-    solution.x = {point.box.x, printed[i].parts[0].to_string(), printed[i].parts[1].to_string()};
-    solution.y = {point.box.y, printed[i].parts[2].to_string(), printed[i].parts[3].to_string()};
-    solution.radius_exponent = printed[i].radius_exponent;
-    solution.reality = point.reality;
-    solution.multiplicity = point.multiplicity;
-    solutions.push_back(std::move(solution));
-  }
-  return solutions;
+std::vector<Solution> present_as_enclosed(const SolutionSet& set, const std::vector<std::size_t>& indices,
+                                          long digits) {
+  std::vector<std::size_t> legible;
+  std::vector<Printed> printed;
+  for (const std::size_t index : indices)
+    if (std::optional<Printed> numbers = print_as_enclosed(set.points()[index].box, digits)) {
+      legible.push_back(index);
+      printed.push_back(*std::move(numbers));
+    }
+  return sorted_solutions(set, legible, printed);
 }
 
 }  // namespace eliminant::intersect

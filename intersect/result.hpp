@@ -88,6 +88,9 @@ struct EngineReport {
 struct Result {
   std::string problem = "plane_curves";
   Status status = Status::numeric;
+  /// Only for `incomplete`: what ended the computation. The solutions are those found so far, and the counts are
+  /// theirs.
+  std::optional<std::string> limit;
   /// Only for `infinite`: what is proven of the rest.
   std::optional<Status> rest_status;
   std::vector<std::string> variables{"x", "y"};

@@ -55,7 +55,8 @@ bool disjoint(const PlaneBall& a, const PlaneBall& b) {
   return !acb_overlaps(a.x.get(), b.x.get()) || !acb_overlaps(a.y.get(), b.y.get());
 }
 
-SolutionSet::SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomial& q, const Context& context)
+SolutionSet::SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomial& q, Wanted wanted,
+                         const Context& context)
     : p_(p),
       q_(q),
       scaling_(bridge::choose_scaling(p, q)),
@@ -63,6 +64,7 @@ SolutionSet::SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomi
       scaled_q_(scaled(q, scaling_)),
       rounded_p_(bridge::RoundedCurve::round(scaled(p, scaling_))),
       rounded_q_(bridge::RoundedCurve::round(scaled(q, scaling_))),
+      wanted_(wanted),
       context_(context) {}
 
 long SolutionSet::scaled_target(long radius_log2) const {
@@ -137,11 +139,8 @@ int SolutionSet::add_simple(const PlaneBall& start, long target_log2, long max_p
         return 0;
       precision_bits *= 2;
       if (precision_bits > precision_ceiling) throw PrecisionExhausted("two solutions could not be told apart");
-      points_.push_back(candidate);
-      enclose(points_.size() - 1, -precision_bits);
-      candidate = points_.back();
-      points_.pop_back();
-      enclose(i, -precision_bits);
+      enclose(candidate, -precision_bits);
+      enclose(points_[i], -precision_bits);
     }
   }
   const bool non_real =
@@ -169,6 +168,12 @@ void SolutionSet::set_representation(symbolic::UnivariateRepresentation represen
   representation_ = std::move(representation);
 }
 
+bridge::IsolatedRoots SolutionSet::isolate(const symbolic::UnivariatePolynomial& squarefree,
+                                           const std::vector<ComplexBall>& approximations) const {
+  return wanted_ == Wanted::real ? bridge::IsolatedRoots::real(squarefree, context_)
+                                 : bridge::IsolatedRoots(squarefree, context_, approximations);
+}
+
 void SolutionSet::add_class(std::size_t class_index, const std::vector<PlaneBall>& approximations) {
   const symbolic::SquarefreeFactor& part = representation_->classes[class_index];
   bridge::IsolatedRoots& roots = classes_[class_index];
@@ -179,7 +184,7 @@ void SolutionSet::add_class(std::size_t class_index, const std::vector<PlaneBall
     acb_mul_si(t.get(), point.y.get(), representation_->shear, precision_bits);
     acb_add(t.get(), t.get(), point.x.get(), precision_bits);
   }
-  roots = bridge::IsolatedRoots(part.factor, context_, values);
+  roots = isolate(part.factor, values);
   constexpr long first_radius_log2 = -64;
   for (std::size_t root = 0; root < roots.balls().size(); ++root) {
     EnclosedPoint point;
@@ -190,23 +195,23 @@ void SolutionSet::add_class(std::size_t class_index, const std::vector<PlaneBall
     point.reality = arb_is_zero(roots.balls()[root].imaginary()) ? Reality::real : Reality::non_real;
     acb_indeterminate(point.box.x.get());
     acb_indeterminate(point.box.y.get());
+    enclose(point, first_radius_log2);
     points_.push_back(std::move(point));
-    enclose(points_.size() - 1, first_radius_log2);
   }
 }
 
 void SolutionSet::add_product(const std::vector<symbolic::SquarefreeFactor>& x_factors,
                               const std::vector<symbolic::SquarefreeFactor>& y_factors) {
   constexpr long first_bits = 80;
-  const auto isolate = [&](const std::vector<symbolic::SquarefreeFactor>& factors,
-                           std::vector<bridge::IsolatedRoots>& classes) {
+  const auto isolate_all = [&](const std::vector<symbolic::SquarefreeFactor>& factors,
+                               std::vector<bridge::IsolatedRoots>& classes) {
     for (const symbolic::SquarefreeFactor& part : factors) {
-      bridge::IsolatedRoots& roots = classes.emplace_back(part.factor, context_);
+      bridge::IsolatedRoots& roots = classes.emplace_back(isolate(part.factor));
       for (std::size_t i = 0; i < roots.balls().size(); ++i) roots.refine(i, first_bits, context_);
     }
   };
-  isolate(x_factors, x_classes_);
-  isolate(y_factors, y_classes_);
+  isolate_all(x_factors, x_classes_);
+  isolate_all(y_factors, y_classes_);
   for (std::size_t i = 0; i < x_factors.size(); ++i)
     for (std::size_t j = 0; j < y_factors.size(); ++j)
       for (std::size_t k = 0; k < x_classes_[i].balls().size(); ++k)
@@ -256,8 +261,9 @@ void SolutionSet::decide_reality() {
   }
 }
 
-void SolutionSet::enclose(std::size_t index, long target_log2) {
-  EnclosedPoint& point = points_[index];
+void SolutionSet::enclose(std::size_t index, long target_log2) { enclose(points_[index], target_log2); }
+
+void SolutionSet::enclose(EnclosedPoint& point, long target_log2) {
   if (radius_log2(point.box) <= target_log2) return;
   context_.checkpoint("refining");
   if (point.product) {
@@ -298,8 +304,10 @@ void SolutionSet::find_exact_coordinate(std::size_t axis, const symbolic::Ration
   for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(line)) {
     for (long bits = 64;; bits *= 2) {
       if (bits > precision_ceiling) throw PrecisionExhausted("the solutions on a line could not be told apart");
-      const std::vector<ComplexBall> others = bridge::enclose_roots(part.factor, bits, context_);
-      // Every (value, root) is a solution; it is the one point whose box it may lie in.
+      std::vector<ComplexBall> others = bridge::enclose_roots(part.factor, bits, context_);
+      // Every (value, root) is a solution; it is the one point whose box it may lie in, if it belongs to the set.
+      if (wanted_ == Wanted::real)
+        std::erase_if(others, [](const ComplexBall& other) { return arb_is_zero(other.imaginary()) == 0; });
       std::vector<std::size_t> matches;
       bool ambiguous = false;
       for (const ComplexBall& other : others) {

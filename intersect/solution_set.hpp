@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
@@ -38,11 +39,14 @@ struct EnclosedPoint {
   std::optional<symbolic::Rational> exact_y;
 };
 
+/// Which solutions a set must hold: from the exact side the real ones alone come cheaper.
+enum class Wanted { all, real };
+
 /// The proven solutions of two coprime curves, each of which can be enclosed as tightly as wanted.
 class SolutionSet {
  public:
   /// p and q are primitive over Z and coprime. `context` must outlive the set.
-  SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomial& q, const Context& context);
+  SolutionSet(const symbolic::Polynomial& p, const symbolic::Polynomial& q, Wanted wanted, const Context& context);
 
   const std::vector<EnclosedPoint>& points() const { return points_; }
 
@@ -53,17 +57,18 @@ class SolutionSet {
   int add_simple(const bridge::PlaneBall& start, long radius_log2, long max_precision_bits,
                  long first_precision_bits = 96);
 
-  /// Forgets all points.
-  void clear() { points_.clear(); }
+  /// Takes all points out, to be put back, or not.
+  std::vector<EnclosedPoint> take_points() { return std::exchange(points_, {}); }
+  void put_back(std::vector<EnclosedPoint> points) { points_ = std::move(points); }
 
   void set_representation(symbolic::UnivariateRepresentation representation);
   const std::optional<symbolic::UnivariateRepresentation>& representation() const { return representation_; }
 
-  /// Adds all points of one class of the representation. `approximations` of some of them, possibly none and possibly
-  /// wrong, make it quicker.
+  /// Adds all wanted points of one class of the representation. `approximations` of some of them, possibly none and
+  /// possibly wrong, make it quicker.
   void add_class(std::size_t class_index, const std::vector<bridge::PlaneBall>& approximations);
 
-  /// Adds all points of p(x) = q(y) = 0: pairs of roots; multiplicities multiply, the local ring being a tensor
+  /// Adds all wanted points of p(x) = q(y) = 0: pairs of roots; multiplicities multiply, the local ring being a tensor
   /// product.
   void add_product(const std::vector<symbolic::SquarefreeFactor>& x_factors,
                    const std::vector<symbolic::SquarefreeFactor>& y_factors);
@@ -74,8 +79,8 @@ class SolutionSet {
   /// Makes the radius of every part of both coordinates of one point at most 2^radius_log2.
   void enclose(std::size_t index, long radius_log2);
 
-  /// Finds out which points have first (axis 0) or second (axis 1) coordinate exactly `value`, and makes it exact
-  /// there. Afterwards the others can be told apart from `value` by enclosing them more tightly.
+  /// Finds out which wanted points have first (axis 0) or second (axis 1) coordinate exactly `value`, and makes it
+  /// exact there. Afterwards the others can be told apart from `value` by enclosing them more tightly.
   void find_exact_coordinate(std::size_t axis, const symbolic::Rational& value);
 
  private:
@@ -83,6 +88,9 @@ class SolutionSet {
   long scaled_target(long radius_log2) const;
   bridge::PlaneBall to_scaled(const bridge::PlaneBall& point) const;
   bridge::PlaneBall from_scaled(const bridge::PlaneBall& point) const;
+  bridge::IsolatedRoots isolate(const symbolic::UnivariatePolynomial& squarefree,
+                                const std::vector<bridge::ComplexBall>& approximations = {}) const;
+  void enclose(EnclosedPoint& point, long radius_log2);
   bool enclose_product(EnclosedPoint& point, long radius_log2);
   void store(EnclosedPoint& point, bridge::PlaneBall box, long target_log2) const;
 
@@ -93,6 +101,7 @@ class SolutionSet {
   bridge::BallCurve scaled_q_;
   std::optional<bridge::RoundedCurve> rounded_p_;
   std::optional<bridge::RoundedCurve> rounded_q_;
+  Wanted wanted_;
   const Context& context_;
   std::vector<EnclosedPoint> points_;
   std::optional<symbolic::UnivariateRepresentation> representation_;

@@ -33,19 +33,24 @@ std::string error_line(const ErrorReport& report, const std::string& source) {
   return line;
 }
 
-std::string error_json(const ErrorReport& report, const std::optional<ProblemId>& id, bool incomplete) {
-  nlohmann::ordered_json out;
-  out["format"] = 1;
-  out["problem"] = "plane_curves";
-  if (id) std::visit([&](const auto& value) { out["id"] = value; }, *id);
-  out["status"] = incomplete ? "incomplete" : "error";
-  nlohmann::ordered_json& error = out["error"];
+nlohmann::ordered_json error_object(const ErrorReport& report) {
+  nlohmann::ordered_json error;
   error["kind"] = report.kind;
   error["message"] = report.message;
   const bool placed = report.place.line != 0;
   error["line"] = placed ? nlohmann::ordered_json(report.place.line) : nullptr;
   error["column"] = placed ? nlohmann::ordered_json(report.place.column) : nullptr;
   error["expected"] = report.expected.empty() ? nullptr : nlohmann::ordered_json(report.expected);
+  return error;
+}
+
+std::string error_json(const ErrorReport& report, const std::optional<ProblemId>& id, bool incomplete) {
+  nlohmann::ordered_json out;
+  out["format"] = 1;
+  out["problem"] = "plane_curves";
+  if (id) std::visit([&](const auto& value) { out["id"] = value; }, *id);
+  out["status"] = incomplete ? "incomplete" : "error";
+  out["error"] = error_object(report);
   if (incomplete) out["solutions"] = nlohmann::ordered_json::array();
   return json_layout(out);
 }

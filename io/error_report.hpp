@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <eliminant/base/error.hpp>
 #include <eliminant/io/problem_file.hpp>
 
@@ -30,6 +32,9 @@ ErrorReport report_error(const std::exception& error);
 
 /// One line for standard error: `source:line:column: message; expected ...`, without what is not known.
 std::string error_line(const ErrorReport& report, const std::string& source);
+
+/// The field `error` of a result.
+nlohmann::ordered_json error_object(const ErrorReport& report);
 
 /// The result that stands for an error: its status is `incomplete` when a limit ended the computation, else `error`.
 std::string error_json(const ErrorReport& report, const std::optional<ProblemId>& id, bool incomplete);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include <eliminant/io/error_report.hpp>
 #include <eliminant/io/json_layout.hpp>
 #include <eliminant/io/result_words.hpp>
 
@@ -78,6 +79,7 @@ std::string result_json(const intersect::Result& result, const std::optional<Pro
   if (id) std::visit([&](const auto& value) { out["id"] = value; }, *id);
   out["status"] = word_for(result.status);
   if (result.rest_status) out["rest_status"] = word_for(*result.rest_status);
+  if (result.limit) out["error"] = error_object(report_error(LimitReached(*result.limit)));
   out["variables"] = result.variables;
   if (result.common_component)
     out["common_component"] = symbolic::to_string(*result.common_component, result.variables);

@@ -34,6 +34,7 @@ std::string status_sentence(const Result& result) {
     }
     return "";
   };
+  if (result.limit) return "Status: incomplete: " + *result.limit + "\n";
   std::string text = std::string("Status: ") + meaning(result.status) + "\n";
   if (result.rest_status) text += std::string("Rest:   ") + meaning(*result.rest_status) + "\n";
   return text;
@@ -215,7 +216,10 @@ std::string emptiness_sentence(const Result& result) {
 std::string result_text(const Result& result, const RunOptions& given, bool with_seconds) {
   const bool whole_plane = result.common_component && result.common_component->is_zero();
   std::string text = status_sentence(result) + component_sentence(result);
-  if (!whole_plane) text += count_audit(result);
+  if (result.limit)
+    text += "\nFound so far: " + points(result.counts.listed) + "; the rest is not known.\n";
+  else if (!whole_plane)
+    text += count_audit(result);
   text += given_and_used(result, given);
   if (with_seconds) text += seconds_line(result);
   if (result.solutions.empty()) return text + (whole_plane ? "" : emptiness_sentence(result));

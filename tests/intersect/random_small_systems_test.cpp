@@ -177,6 +177,15 @@ void check_system(unsigned long seed, Tally& tally) {
     MESSAGE("the pencil alone does not prove seed ", seed, ": ", text(system.p), ", ", text(system.q));
   }
 
+  // The real solutions alone, which the exact engine isolates by another method.
+  options.engine = Engine::exact;
+  options.field = Field::real;
+  const Result real = solve(system, options);
+  CHECK(all_proven(real));
+  CHECK(counts(real) == counts(automatic));
+  CHECK(real.solutions.size() == automatic.counts.real);
+  CHECK(is_part_of(real, automatic));
+
   // The clusters of the pencil, before the exact side is asked.
   PencilMultiplicities expected;
   expected.at_infinity = automatic.counts.at_infinity;
