@@ -88,6 +88,38 @@ std::vector<bool> crowded_points(const SolutionSet& set, const std::vector<std::
   return crowded;
 }
 
+/// True when the real point surely lies outside the printed box.
+bool surely_outside(const bridge::PlaneBall& point, const Printed& box, long digits) {
+  const long precision_bits = 2 * bits_for_digits(digits) + 64;
+  const bridge::RealBall radius(Decimal{symbolic::Integer(1), box.radius_exponent}.to_rational(), precision_bits);
+  for (std::size_t k = 0; k < 2; ++k) {
+    bridge::RealBall distance(box.parts[2 * k].to_rational(), precision_bits);
+    arb_sub(distance.get(), (k == 0 ? point.x : point.y).real(), distance.get(), precision_bits);
+    arb_abs(distance.get(), distance.get());
+    if (arb_gt(distance.get(), radius.get()) != 0) return true;
+  }
+  return false;
+}
+
+/// Whether a real solution that is not listed, because it lies outside the region asked for, is in the printed box.
+bool holds_unlisted(SolutionSet& set, const std::vector<std::size_t>& unlisted, const Printed& box, long digits) {
+  return std::any_of(unlisted.begin(), unlisted.end(), [&](std::size_t index) {
+    if (surely_outside(set.points()[index].box, box, digits)) return false;
+    set.enclose(index, -2 * bits_for_digits(digits));
+    return !surely_outside(set.points()[index].box, box, digits);
+  });
+}
+
+/// The real points of the set that are not among these.
+std::vector<std::size_t> unlisted_real_points(const SolutionSet& set, const std::vector<std::size_t>& indices) {
+  std::vector<bool> listed(set.points().size(), false);
+  for (const std::size_t index : indices) listed[index] = true;
+  std::vector<std::size_t> unlisted;
+  for (std::size_t i = 0; i < listed.size(); ++i)
+    if (!listed[i] && set.points()[i].reality == Reality::real) unlisted.push_back(i);
+  return unlisted;
+}
+
 /// What an enclosure tells as it is; nullopt when that is not one digit of the larger coordinate.
 std::optional<Printed> print_as_enclosed(const bridge::PlaneBall& box, long digits) {
   constexpr double log10_of_2 = 0.30102999566398120;
@@ -140,8 +172,8 @@ std::vector<Solution> sorted_solutions(const SolutionSet& set, const std::vector
   for (const std::size_t i : order) {
     const EnclosedPoint& point = set.points()[indices[i]];
     Solution solution;
-    solution.x = {point.box.x, printed[i].parts[0].to_string(), printed[i].parts[1].to_string()};
-    solution.y = {point.box.y, printed[i].parts[2].to_string(), printed[i].parts[3].to_string()};
+    solution.x = {point.box.x, printed[i].parts[0].to_string(), printed[i].parts[1].to_string(), point.exact_x};
+    solution.y = {point.box.y, printed[i].parts[2].to_string(), printed[i].parts[3].to_string(), point.exact_y};
     solution.radius_exponent = printed[i].radius_exponent;
     solution.reality = point.reality;
     solution.multiplicity = point.multiplicity;
@@ -171,11 +203,12 @@ std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& 
     enclose_for_digits(set, indices[i], digits);
     printed[i] = print(set.points()[indices[i]].box, digits);
   }
+  const std::vector<std::size_t> unlisted = unlisted_real_points(set, indices);
   for (bool changed = true; changed;) {
     changed = false;
     const std::vector<bool> crowded = crowded_points(set, indices, printed);
     for (std::size_t i = 0; i < count; ++i) {
-      if (!crowded[i]) continue;
+      if (!crowded[i] && !holds_unlisted(set, unlisted, printed[i], digits_of[i])) continue;
       changed = true;
       digits_of[i] = digits_of[i] * 2;
       enclose_for_digits(set, indices[i], digits_of[i]);

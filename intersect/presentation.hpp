@@ -12,7 +12,8 @@ constexpr long bits_for_digits(long digits) { return digits * 10 / 3 + 28; }
 
 /// The points of `set` with the given indices as solutions with `digits` significant decimal digits, sorted by
 /// (Re x, Im x, Re y, Im y) as printed. Where the printed boxes of two
-/// solutions would meet, both get more digits until they do not. Fills everything but `certified` and `reason`.
+/// solutions would meet, both get more digits until they do not; nor is a real point of the set that is not listed in
+/// any. Fills everything but `certified` and `reason`.
 std::vector<Solution> present(SolutionSet& set, const std::vector<std::size_t>& indices, long digits);
 
 /// The same from the enclosures as they are, without any computation that could take long: radii are as large as the

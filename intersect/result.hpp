@@ -28,6 +28,8 @@ struct Coordinate {
   bridge::ComplexBall ball;
   std::string real;
   std::string imaginary;
+  /// Where it is known to be this rational number.
+  std::optional<symbolic::Rational> exact;
 };
 
 struct Solution {

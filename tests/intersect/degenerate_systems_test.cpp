@@ -234,6 +234,14 @@ TEST_CASE("Real solutions only: listed apart from the counts") {
   CHECK(result.status == Status::certified);
 }
 
+TEST_CASE("A box: a real solution just outside it is not in the printed box of one inside") {
+  PlaneCurvesProblem outside = problem("x*(x-1e-20)", "y-1-x");
+  outside.box = Box{{Rational(-1), Rational(0)}, {Rational(-1), Rational(1)}};
+  const Result result = solve(outside);
+  REQUIRE(result.solutions.size() == 1);
+  CHECK(result.solutions[0].radius_exponent < -20);
+}
+
 TEST_CASE("Incomplete pencil engine: says so, keeps the exact counts, certifies nothing") {
   Options options;
   options.engine = Engine::pencil;
