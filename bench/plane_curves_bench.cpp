@@ -40,7 +40,7 @@ void example(benchmark::State& state, const std::string& name, int precision_bit
   io::RunOptions options;
   io::apply_options(options, file.options);
   options.solve.precision_bits = precision_bits;
-  solve(state, file.problem, options.solve);
+  solve(state, std::get<PlaneCurvesProblem>(file.problem), options.solve);
 }
 
 void dense(benchmark::State& state) {

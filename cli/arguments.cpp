@@ -61,7 +61,7 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
   app.add_option("-o,--output", arguments.output, "write the answer to FILE instead of standard output")
       ->type_name("FILE");
   app.add_option("--certificate", arguments.certificate,
-                 "write a certificate of the result to FILE; verify: the certificate to check")
+                 "plane curves: write a certificate of the result to FILE; verify: the certificate to check")
       ->type_name("FILE");
   app.add_flag("--echo", arguments.echo, "print the problem as understood (JSON, can be read back) and stop");
   CLI::Option* const progress = app.add_flag("--progress", arguments.progress, "report the stages on standard error");
@@ -76,7 +76,7 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
                      " is not supported by this version; expected solve, curves or verify");
 
   Arguments arguments;
-  CLI::App app("Intersections of plane curves by resultant matrices.", "eliminant");
+  CLI::App app("Intersections of curves and surfaces by resultant matrices.", "eliminant");
   app.set_version_flag("--version", "eliminant " + std::string(version));
   app.require_subcommand(1);
   app.footer(

@@ -20,7 +20,7 @@ using namespace eliminant;
 int fail(const io::ErrorReport& report, io::Format format) {
   std::fprintf(stderr, "eliminant: %s\n", io::error_line(report, "").c_str());
   if (format == io::Format::json && report.kind != "output") {
-    const std::string text = io::error_json(report, std::nullopt, false);
+    const std::string text = io::error_json(report, std::nullopt, std::nullopt, false);
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) return 1;
   }
   return report.exit_status;

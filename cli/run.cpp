@@ -8,14 +8,20 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/cli/hard_stop.hpp>
 #include <eliminant/intersect/certificate_check.hpp>
+#include <eliminant/intersect/curve_curve.hpp>
+#include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/io/candidates_file.hpp>
 #include <eliminant/io/certificate_json.hpp>
+#include <eliminant/io/curve_result_csv.hpp>
+#include <eliminant/io/curve_result_json.hpp>
+#include <eliminant/io/curve_result_text.hpp>
 #include <eliminant/io/error_report.hpp>
 #include <eliminant/io/input_text.hpp>
 #include <eliminant/io/memory_limit.hpp>
@@ -25,6 +31,7 @@
 #include <eliminant/io/result_csv.hpp>
 #include <eliminant/io/result_json.hpp>
 #include <eliminant/io/result_text.hpp>
+#include <eliminant/io/stated_kind.hpp>
 #include <eliminant/io/verdict.hpp>
 
 namespace eliminant::cli {
@@ -50,6 +57,10 @@ class Interruptible {
   ~Interruptible() { interrupted_context = nullptr; }
 };
 
+const char* kind_of(const intersect::PlaneCurvesProblem& /*problem*/) { return "plane_curves"; }
+const char* kind_of(const intersect::CurveSurfaceProblem& /*problem*/) { return "curve_surface"; }
+const char* kind_of(const intersect::CurveCurveProblem& /*problem*/) { return "curve_curve"; }
+
 void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
 
 // One run; its members are what is known of the problem when an error comes.
@@ -67,6 +78,7 @@ class Run {
       if (options_.memory_limit_megabytes) io::limit_memory(*options_.memory_limit_megabytes);
       const io::ProblemFile file = read();
       id_ = file.id;
+      kind_ = std::visit([](const auto& problem) { return kind_of(problem); }, file.problem);
       options_ = {};
       io::apply_options(options_, file.options);
       io::apply_options(options_, arguments_.settings);
@@ -75,7 +87,9 @@ class Run {
         give(io::echo_problem(file, options_));
         return 0;
       }
-      return arguments_.command == Arguments::Command::verify ? verify(file.problem) : solve(file.problem);
+      const bool verifying = arguments_.command == Arguments::Command::verify;
+      return std::visit([&](const auto& problem) { return verifying ? verify(problem) : solve(problem); },
+                        file.problem);
     } catch (const io::OutputError&) {
       throw;
     } catch (const std::exception& error) {
@@ -92,13 +106,20 @@ class Run {
     }
     if (arguments_.command == Arguments::Command::curves) {
       source_ = "command line";
+      kind_ = "plane_curves";
       io::require_text(arguments_.p, "P");
       io::require_text(arguments_.q, "Q");
       return io::problem_from_arguments(arguments_.p, arguments_.q, arguments_.box, settings);
     }
     const std::string text = io::read_text(arguments_.file);
     source_ = arguments_.file == "-" ? "standard input" : arguments_.file;
-    return io::read_problem(text, io::problem_syntax(arguments_.file, text), settings, &id_);
+    const io::ProblemSyntax syntax = io::problem_syntax(arguments_.file, text);
+    try {
+      return io::read_problem(text, syntax, settings, &id_);
+    } catch (...) {
+      kind_ = io::stated_kind(text, syntax);
+      throw;
+    }
   }
 
   // Computes with everything that watches over it.
@@ -127,14 +148,71 @@ class Run {
     options_.solve.certificate = arguments_.certificate.has_value();
     const intersect::Result result = watched(
         [&](const Context& context) { return intersect::intersect_plane_curves(problem, options_.solve, context); });
-    if (!arguments_.quiet)
-      for (const std::string& warning : result.warnings) say("warning: " + warning);
-    if (!arguments_.quiet && options_.format == io::Format::csv && result.common_component)
-      say("warning: the curves have a common component, which CSV cannot show");
-    if (result.limit) say(io::error_line(io::report_error(LimitReached(*result.limit)), source_));
+    announce(result, result.common_component ? "the curves have a common component" : "");
     if (result.certificate) certificate_.write(io::certificate_json(*result.certificate));
     give(print(result));
-    return result.status == intersect::Status::incomplete ? 3 : 0;
+    return exit_status(result.status);
+  }
+
+  int solve(const intersect::CurveSurfaceProblem& problem) {
+    refuse_certificate();
+    const intersect::CurveResult result = watched(
+        [&](const Context& context) { return intersect::intersect_curve_surface(problem, options_.solve, context); });
+    announce(result, result.status == intersect::Status::infinite ? "the curve lies in the surface" : "");
+    give(print(result));
+    return exit_status(result.status);
+  }
+
+  int solve(const intersect::CurveCurveProblem& problem) {
+    refuse_certificate();
+    const intersect::CurveResult result = watched(
+        [&](const Context& context) { return intersect::intersect_curve_curve(problem, options_.solve, context); });
+    announce(result, result.status == intersect::Status::infinite ? "the curves coincide" : "");
+    give(print(result));
+    return exit_status(result.status);
+  }
+
+  static int exit_status(intersect::Status status) { return status == intersect::Status::incomplete ? 3 : 0; }
+
+  // Says on standard error what is no part of the answer; `infinite` is what a table cannot show, or empty.
+  template <class AnyResult>
+  void announce(const AnyResult& result, const std::string& infinite) const {
+    if (!arguments_.quiet)
+      for (const std::string& warning : result.warnings) say("warning: " + warning);
+    if (!arguments_.quiet && options_.format == io::Format::csv && !infinite.empty())
+      say("warning: " + infinite + ", which CSV cannot show");
+    if (result.limit) say(io::error_line(io::report_error(LimitReached(*result.limit)), source_));
+  }
+
+  std::string print(const intersect::Result& result) const {
+    switch (options_.format) {
+      case io::Format::json:
+        return io::result_json(result, id_);
+      case io::Format::csv:
+        return io::result_csv(result);
+      case io::Format::text:
+        break;
+    }
+    return io::result_text(result, options_);
+  }
+
+  std::string print(const intersect::CurveResult& result) const {
+    switch (options_.format) {
+      case io::Format::json:
+        return io::curve_result_json(result, id_);
+      case io::Format::csv:
+        return io::curve_result_csv(result);
+      case io::Format::text:
+        break;
+    }
+    return io::curve_result_text(result, options_);
+  }
+
+  void refuse_certificate() const {
+    if (arguments_.certificate)
+      throw InvalidInput(
+          "--certificate does not go with " + *kind_ + ": certificates are written for plane_curves only",
+          "a problem of the kind plane_curves, or no --certificate");
   }
 
   int verify(const intersect::PlaneCurvesProblem& problem) {
@@ -161,16 +239,10 @@ class Run {
     return 0;
   }
 
-  std::string print(const intersect::Result& result) const {
-    switch (options_.format) {
-      case io::Format::json:
-        return io::result_json(result, id_);
-      case io::Format::csv:
-        return io::result_csv(result);
-      case io::Format::text:
-        break;
-    }
-    return io::result_text(result, options_);
+  template <class Problem>
+  int verify(const Problem& problem) {
+    throw InvalidInput(std::string("verify is for plane_curves, the problem is of the kind ") + kind_of(problem),
+                       "a problem of the kind plane_curves");
   }
 
   // Says what went wrong and gives the answer that stands for it.
@@ -178,7 +250,7 @@ class Run {
     say(io::error_line(report, source_));
     const bool incomplete = solving_ && report.exit_status == 3;
     if (options_.format == io::Format::json)
-      give(io::error_json(report, id_, incomplete));
+      give(io::error_json(report, kind_, id_, incomplete));
     else if (incomplete && options_.format == io::Format::text)
       give("Status: incomplete: " + report.message + "\n");
     return report.exit_status;
@@ -194,7 +266,7 @@ class Run {
       if (answer_.claim()) {
         const io::ErrorReport report{"limit", 3, "the time limit was reached", {}, {}};
         say(io::error_line(report, source_));
-        if (options_.format == io::Format::json) answer_.write(io::error_json(report, id_, true));
+        if (options_.format == io::Format::json) answer_.write(io::error_json(report, kind_, id_, true));
         if (options_.format == io::Format::text) answer_.write("Status: incomplete: " + report.message + "\n");
         std::_Exit(status);
       }
@@ -208,6 +280,7 @@ class Run {
   Answer answer_;
   Answer certificate_;
   io::RunOptions options_;
+  std::optional<std::string> kind_;
   std::optional<io::ProblemId> id_;
   std::string source_;
   bool solving_ = false;

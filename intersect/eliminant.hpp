@@ -4,6 +4,8 @@
 // Everything a user of the library calls, in one include: <eliminant/eliminant.hpp>.
 #include <eliminant/base/context.hpp>
 #include <eliminant/base/error.hpp>
+#include <eliminant/intersect/curve_curve.hpp>
+#include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/result.hpp>

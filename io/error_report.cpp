@@ -44,10 +44,11 @@ nlohmann::ordered_json error_object(const ErrorReport& report) {
   return error;
 }
 
-std::string error_json(const ErrorReport& report, const std::optional<ProblemId>& id, bool incomplete) {
+std::string error_json(const ErrorReport& report, const std::optional<std::string>& problem,
+                       const std::optional<ProblemId>& id, bool incomplete) {
   nlohmann::ordered_json out;
   out["format"] = 1;
-  out["problem"] = "plane_curves";
+  out["problem"] = problem ? nlohmann::ordered_json(*problem) : nullptr;
   if (id) std::visit([&](const auto& value) { out["id"] = value; }, *id);
   out["status"] = incomplete ? "incomplete" : "error";
   out["error"] = error_object(report);

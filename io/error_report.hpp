@@ -37,6 +37,8 @@ std::string error_line(const ErrorReport& report, const std::string& source);
 nlohmann::ordered_json error_object(const ErrorReport& report);
 
 /// The result that stands for an error: its status is `incomplete` when a limit ended the computation, else `error`.
-std::string error_json(const ErrorReport& report, const std::optional<ProblemId>& id, bool incomplete);
+/// `problem` is the kind of the problem; the field is null where that is unknown.
+std::string error_json(const ErrorReport& report, const std::optional<std::string>& problem,
+                       const std::optional<ProblemId>& id, bool incomplete);
 
 }  // namespace eliminant::io

@@ -15,20 +15,24 @@ void JsonFields::refuse(const JsonValue& value, const std::string& what, const s
   throw InvalidInput(what + " is " + value.kind_in_words(), expected, document_.place_of(value));
 }
 
-const JsonValue& JsonFields::member(const JsonValue& object, const std::string& name) const {
+const JsonValue& JsonFields::member(const JsonValue& object, const std::string& name,
+                                    const std::string& expected) const {
   const JsonValue* value = object.find(name);
   if (value == nullptr)
-    throw InvalidInput("the field \"" + name + "\" is missing", "an object with it", document_.place_of(object));
+    throw InvalidInput("the field \"" + name + "\" is missing", expected, document_.place_of(object));
   return *value;
 }
 
 void JsonFields::require_object(const JsonValue& value, const std::string& what,
                                 std::initializer_list<const char*> names) const {
   if (value.kind != Kind::object) refuse(value, what, "an object");
-  for (const JsonMember& member : value.members)
-    if (std::find(names.begin(), names.end(), member.name) == names.end())
-      throw InvalidInput("unknown field \"" + member.name.substr(0, 40) + "\" in " + what, "only known fields",
-                         document_.place_of(member.offset));
+  for (const JsonMember& member : value.members) {
+    if (std::find(names.begin(), names.end(), member.name) != names.end()) continue;
+    std::string list;
+    for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    throw InvalidInput("unknown field \"" + member.name.substr(0, 40) + "\" in " + what, "one of " + list,
+                       document_.place_of(member.offset));
+  }
 }
 
 const std::vector<JsonValue>& JsonFields::array(const JsonValue& value, const std::string& what) const {

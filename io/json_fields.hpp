@@ -17,8 +17,9 @@ class JsonFields {
   explicit JsonFields(const JsonDocument& document, symbolic::Limits limits = {})
       : document_(document), limits_(limits) {}
 
-  /// The member, which must be there.
-  const JsonValue& member(const JsonValue& object, const std::string& name) const;
+  /// The member, which must be there; `expected` says what it would hold.
+  const JsonValue& member(const JsonValue& object, const std::string& name,
+                          const std::string& expected = "an object with it") const;
   /// Throws unless `value` is an object with no other members than these.
   void require_object(const JsonValue& value, const std::string& what, std::initializer_list<const char*> names) const;
   const std::vector<JsonValue>& array(const JsonValue& value, const std::string& what) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include <eliminant/io/named_errors.hpp>
 #include <eliminant/symbolic/arithmetic/parse_number.hpp>
 #include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 #include <eliminant/symbolic/arithmetic/variable_names.hpp>
@@ -11,18 +12,6 @@
 namespace eliminant::io {
 
 namespace {
-
-// Runs `read` so that its errors begin with the name of what was read.
-template <class Read>
-auto named(const std::string& name, Read read) {
-  try {
-    return read();
-  } catch (const ParseError& error) {
-    throw ParseError(name + ": " + error.what(), error.expected(), error.place());
-  } catch (const LimitReached& limit) {
-    throw LimitReached(name + ": " + limit.what(), limit.place());
-  }
-}
 
 std::vector<symbolic::NameOccurrence> names_in(const PolynomialText& polynomial) {
   return named(polynomial.name, [&] { return symbolic::names_in(polynomial.text, polynomial.locate); });

@@ -1,26 +1,106 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/io/problem_echo.hpp>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include <eliminant/io/json_layout.hpp>
 
 namespace eliminant::io {
 
-std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  using Json = nlohmann::ordered_json;
-  const intersect::PlaneCurvesProblem& problem = file.problem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Names = std::vector<std::string>;
+
+constexpr std::array plane_coordinates{"x", "y", "w"};
+constexpr std::array space_coordinates{"x", "y", "z", "w"};
+
+Json interval_json(const symbolic::Interval& interval) {
+  return Json::array({interval.lower.to_string(), interval.upper.to_string()});
+}
+
+std::string univariate_text(const symbolic::UnivariatePolynomial& p) {
+  std::vector<symbolic::Polynomial::Term> terms;
+  for (long k = 0; k <= p.degree(); ++k)
+    if (const symbolic::Integer coefficient = p.coefficient(k); !coefficient.is_zero())
+      terms.push_back({coefficient, {static_cast<unsigned long>(k)}});
+  return symbolic::to_string(symbolic::Polynomial::from_terms(1, terms), Names{"t"});
+}
+
+Json piece_json(const symbolic::CurvePiece& piece) {
   Json out;
-  out["problem"] = "plane_curves";
-  if (file.id) std::visit([&](const auto& id) { out["id"] = id; }, *file.id);
+  out["parameter"] = "t";
+  const auto& coordinates = piece.map.coordinates();
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    out[coordinates.size() == 3 ? plane_coordinates[i] : space_coordinates[i]] = univariate_text(coordinates[i]);
+  if (piece.domain) out["domain"] = interval_json(*piece.domain);
+  return out;
+}
+
+Json piece_json(const symbolic::SurfacePiece& piece) {
+  const Names names =
+      piece.map.kind() == symbolic::RationalSurface::Kind::triangular ? Names{"s", "t", "u"} : Names{"s", "t"};
+  Json out;
+  out["parameters"] = names;
+  for (std::size_t i = 0; i < space_coordinates.size(); ++i)
+    out[space_coordinates[i]] = symbolic::to_string(piece.map.coordinates()[i], names);
+  if (piece.region && piece.region->triangle)
+    out["domain"] = "triangle";
+  else if (piece.region)
+    out["domain"] = Json::array({interval_json(piece.region->sides[0]), interval_json(piece.region->sides[1])});
+  return out;
+}
+
+template <class Geometry>
+Json pieces_json(const Geometry& geometry) {
+  if (geometry.pieces.size() == 1) return piece_json(geometry.pieces.front());
+  Json out;
+  out["pieces"] = Json::array();
+  for (const auto& piece : geometry.pieces) out["pieces"].push_back(piece_json(piece));
+  return out;
+}
+
+Json geometry_json(const intersect::Curve& curve) {
+  if (const auto* implicit = std::get_if<intersect::ImplicitCurve>(&curve))
+    return {{"implicit", symbolic::to_string(implicit->equation, Names{"x", "y"})}};
+  return pieces_json(std::get<symbolic::ParametricCurve>(curve));
+}
+
+Json geometry_json(const intersect::Surface& surface) {
+  if (const auto* implicit = std::get_if<intersect::ImplicitSurface>(&surface))
+    return {{"implicit", symbolic::to_string(implicit->equation, Names{"x", "y", "z"})}};
+  return pieces_json(std::get<symbolic::ParametricSurface>(surface));
+}
+
+void echo(Json& out, const intersect::PlaneCurvesProblem& problem) {
   out["variables"] = problem.variables;
   out["p"] = symbolic::to_string(problem.p, problem.variables);
   out["q"] = symbolic::to_string(problem.q, problem.variables);
-  if (problem.box) {
-    out["box"] = Json::array();
-    for (const auto& side : {problem.box->x, problem.box->y})
-      out["box"].push_back(Json::array({side[0].to_string(), side[1].to_string()}));
-  }
+  if (!problem.box) return;
+  out["box"] = Json::array();
+  for (const auto& side : {problem.box->x, problem.box->y})
+    out["box"].push_back(Json::array({side[0].to_string(), side[1].to_string()}));
+}
+
+void echo(Json& out, const intersect::CurveSurfaceProblem& problem) {
+  out["curve"] = pieces_json(problem.curve);
+  out["surface"] = geometry_json(problem.surface);
+}
+
+void echo(Json& out, const intersect::CurveCurveProblem& problem) {
+  out["first"] = geometry_json(problem.first);
+  out["second"] = geometry_json(problem.second);
+}
+
+}  // namespace
+
+std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
+  constexpr std::array kinds{"plane_curves", "curve_surface", "curve_curve"};
+  Json out;
+  out["problem"] = kinds[file.problem.index()];
+  if (file.id) std::visit([&](const auto& id) { out["id"] = id; }, *file.id);
+  std::visit([&](const auto& problem) { echo(out, problem); }, file.problem);
   for (const auto& [name, value, place] : settings_of(options)) {
     if (is_switch(name))
       out["options"][name] = value == "true";

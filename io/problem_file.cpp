@@ -5,10 +5,15 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <utility>
 
+#include <eliminant/io/curve_input.hpp>
+#include <eliminant/io/json_fields.hpp>
 #include <eliminant/io/json_text.hpp>
 #include <eliminant/io/ms_file.hpp>
+#include <eliminant/io/named_errors.hpp>
 #include <eliminant/io/plane_curves_input.hpp>
+#include <eliminant/io/surface_input.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 
 namespace eliminant::io {
@@ -17,9 +22,24 @@ namespace {
 
 using Kind = JsonValue::Kind;
 
-constexpr std::array fields{"problem", "p", "q", "variables", "box", "id", "options"};
-constexpr std::array later_problems{"curve_curve",    "curve_surface", "surface_surface",    "self_intersection",
-                                    "curve_topology", "cylinders",     "cylinder_extraction"};
+// The fields of each kind of problem.
+struct ProblemFields {
+  const char* kind;
+  std::vector<const char*> fields;
+};
+
+const std::array<ProblemFields, 3>& problem_fields() {
+  static const std::array<ProblemFields, 3> kinds{{
+      {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
+      {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
+      {"curve_curve", {"problem", "first", "second", "id", "options"}},
+  }};
+  return kinds;
+}
+
+constexpr const char* known_kinds = "\"plane_curves\", \"curve_surface\" or \"curve_curve\"";
+constexpr std::array later_problems{"surface_surface", "self_intersection", "curve_topology", "cylinders",
+                                    "cylinder_extraction"};
 
 template <class Names>
 bool contains(const Names& names, std::string_view name) {
@@ -29,7 +49,8 @@ bool contains(const Names& names, std::string_view name) {
 // Reads the fields of one JSON problem.
 class Reader {
  public:
-  Reader(const JsonDocument& document, const ReadSettings& settings) : document_(document), settings_(settings) {}
+  Reader(const JsonDocument& document, const ReadSettings& settings)
+      : document_(document), settings_(settings), fields_(document, settings.limits) {}
 
   std::optional<ProblemId> id() const {
     const JsonValue* value = document_.root().find("id");
@@ -42,25 +63,49 @@ class Reader {
     return number;
   }
 
-  void check_fields() const {
+  // The kind of the problem, with all fields known.
+  std::string kind() const {
     const JsonValue& root = document_.root();
     if (root.kind != Kind::object)
       refuse(root, "the problem is " + describe(root), "an object such as {\"problem\": \"plane_curves\", ...}");
     const JsonValue* problem = root.find("problem");
-    if (problem == nullptr) refuse(root, "the field \"problem\" is missing", "\"problem\": \"plane_curves\"");
-    if (problem->kind != Kind::text) refuse(*problem, "\"problem\" is " + describe(*problem), "\"plane_curves\"");
-    if (problem->text != "plane_curves")
-      refuse(*problem,
-             contains(later_problems, problem->text)
-                 ? "the problem kind \"" + problem->text + "\" is not supported by this version"
-                 : "unknown problem kind \"" + problem->text.substr(0, 40) + "\"",
-             "\"plane_curves\"");
-    for (const JsonMember& member : root.members) {
-      if (contains(fields, member.name)) continue;
-      std::string list;
-      for (const char* field : fields) list += (list.empty() ? "" : ", ") + std::string(field);
-      throw InvalidInput("unknown field \"" + member.name + "\"", "one of " + list, document_.place_of(member.offset));
+    if (problem == nullptr)
+      refuse(root, "the field \"problem\" is missing", "\"problem\": \"plane_curves\" or another kind");
+    if (problem->kind != Kind::text) refuse(*problem, "\"problem\" is " + describe(*problem), known_kinds);
+    for (const ProblemFields& known : problem_fields()) {
+      if (problem->text != known.kind) continue;
+      check_fields(known.fields);
+      return problem->text;
     }
+    refuse(*problem,
+           contains(later_problems, problem->text)
+               ? "the problem kind \"" + problem->text + "\" is not supported by this version"
+               : "unknown problem kind \"" + problem->text.substr(0, 40) + "\"",
+           known_kinds);
+  }
+
+  intersect::PlaneCurvesProblem plane_curves() const {
+    const PolynomialText p = polynomial("p");
+    const PolynomialText q = polynomial("q");
+    const auto declared = variables();
+    const auto sides = box();
+    intersect::PlaneCurvesProblem problem =
+        plane_curves_from_text(p, q, settings_.variables ? settings_.variables : declared, settings_.limits);
+    problem.box = sides;
+    return problem;
+  }
+
+  intersect::CurveSurfaceProblem curve_surface() const {
+    const JsonValue& curve = geometry("curve", "a space curve");
+    const JsonValue& surface = geometry("surface", "a surface");
+    return {read_space_curve(fields_, curve, "\"curve\""), read_surface(fields_, surface, "\"surface\"")};
+  }
+
+  intersect::CurveCurveProblem curve_curve() const {
+    const JsonValue& first = geometry("first", "a curve");
+    const JsonValue& second = geometry("second", "a curve");
+    auto curves = read_curve_pair(fields_, first, second);
+    return {std::move(curves[0]), std::move(curves[1])};
   }
 
   PolynomialText polynomial(const char* name) const {
@@ -116,10 +161,27 @@ class Reader {
   [[noreturn]] void refuse(const JsonValue& value, const std::string& message, const std::string& expected) const {
     throw InvalidInput(message, expected, document_.place_of(value));
   }
+  void check_fields(const std::vector<const char*>& known) const {
+    for (const JsonMember& member : document_.root().members) {
+      if (contains(known, member.name)) continue;
+      std::string list;
+      for (const char* field : known) list += (list.empty() ? "" : ", ") + std::string(field);
+      throw InvalidInput("unknown field \"" + member.name + "\"", "one of " + list, document_.place_of(member.offset));
+    }
+  }
+
+  const JsonValue& geometry(const std::string& name, const std::string& expected) const {
+    if (settings_.variables)
+      throw InvalidInput("variables are given for a problem with curves and surfaces",
+                         "parameters are named in the problem");
+    return fields_.member(document_.root(), name, expected);
+  }
+
   static std::string describe(const JsonValue& value) { return value.kind_in_words(); }
 
   const JsonDocument& document_;
   const ReadSettings& settings_;
+  JsonFields fields_;
 };
 
 }  // namespace
@@ -146,30 +208,29 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
   const Reader reader(document, settings);
   result.id = reader.id();
   if (id != nullptr) *id = result.id;
-  reader.check_fields();
-  const PolynomialText p = reader.polynomial("p");
-  const PolynomialText q = reader.polynomial("q");
-  const auto variables = reader.variables();
+  const std::string kind = reader.kind();
   result.options = reader.options();
-  const auto box = reader.box();
-  result.problem = plane_curves_from_text(p, q, settings.variables ? settings.variables : variables, settings.limits);
-  result.problem.box = box;
+  if (kind == "plane_curves")
+    result.problem = reader.plane_curves();
+  else if (kind == "curve_surface")
+    result.problem = reader.curve_surface();
+  else
+    result.problem = reader.curve_curve();
   return result;
 }
 
 ProblemFile problem_from_arguments(const std::string& p, const std::string& q, const std::optional<std::string>& box,
                                    const ReadSettings& settings) {
   symbolic::install_flint_error_handler();
-  ProblemFile result;
-  result.problem =
+  intersect::PlaneCurvesProblem problem =
       plane_curves_from_text({"P", p, locate_in(p)}, {"Q", q, locate_in(q)}, settings.variables, settings.limits);
-  if (!box) return result;
-  try {
-    const JsonDocument document(*box);
-    result.problem.box = box_from_json(document, document.root(), settings.limits);
-  } catch (const ParseError& error) {
-    throw ParseError(std::string("--box: ") + error.what(), error.expected(), error.place());
-  }
+  if (box)
+    problem.box = named("--box", [&] {
+      const JsonDocument document(*box);
+      return box_from_json(document, document.root(), settings.limits);
+    });
+  ProblemFile result;
+  result.problem = std::move(problem);
   return result;
 }
 

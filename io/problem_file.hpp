@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include <eliminant/intersect/curve_problems.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/io/run_options.hpp>
 #include <eliminant/symbolic/arithmetic/limits.hpp>
@@ -15,9 +16,13 @@ namespace eliminant::io {
 /// What the author of a problem calls it; repeated in the result.
 using ProblemId = std::variant<std::string, long>;
 
+/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve".
+using Problem =
+    std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem>;
+
 /// A problem and what its author chose for it.
 struct ProblemFile {
-  intersect::PlaneCurvesProblem problem;
+  Problem problem;
   std::optional<ProblemId> id;
   std::vector<OptionSetting> options;
 };
@@ -34,10 +39,10 @@ struct ReadSettings {
 /// msolve for the name `*.ms`; else by the first character: JSON begins with "{" or "[", and has quotes.
 ProblemSyntax problem_syntax(const std::string& path, std::string_view text);
 
-/// Reads one problem of the kind plane_curves (docs/formats.md). All numbers are exact. When `id` is given it is set as
-/// soon as it is known, also if the rest is refused.
-/// Throws ParseError (syntax), InvalidInput (unknown or missing fields, wrong types, problem kinds of later versions)
-/// and LimitReached (too large), each with the place in `text`.
+/// Reads one problem (docs/formats.md); msolve's format holds plane_curves. All numbers are exact. When `id` is given
+/// it is set as soon as it is known, also if the rest is refused. Throws ParseError (syntax), InvalidInput (unknown or
+/// missing fields, wrong types, problem kinds of later versions, `settings.variables` for another kind than
+/// plane_curves) and LimitReached (too large), each with the place in `text`.
 ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const ReadSettings& settings = {},
                          std::optional<ProblemId>* id = nullptr);
 

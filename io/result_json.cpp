@@ -3,10 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
-#include <eliminant/io/error_report.hpp>
 #include <eliminant/io/json_layout.hpp>
+#include <eliminant/io/result_fields.hpp>
 #include <eliminant/io/result_words.hpp>
 
 namespace eliminant::io {
@@ -27,59 +25,20 @@ Json counts_json(const intersect::Counts& counts) {
 
 Json solution_json(const intersect::Solution& solution) {
   Json out;
-  out["x"] = Json::array({solution.x.real, solution.x.imaginary});
-  out["y"] = Json::array({solution.y.real, solution.y.imaginary});
-  out["radius"] = "1e" + std::to_string(solution.radius_exponent);
-  if (solution.reality == intersect::Reality::undecided)
-    out["real"] = nullptr;
-  else
-    out["real"] = solution.reality == intersect::Reality::real;
+  out["x"] = coordinate_json(solution.x);
+  out["y"] = coordinate_json(solution.y);
+  out["radius"] = radius_text(solution.radius_exponent);
+  out["real"] = reality_json(solution.reality);
   out["multiplicity"] = solution.multiplicity;
   out["certified"] = solution.certified;
   if (!solution.certified && !solution.reason.empty()) out["reason"] = solution.reason;
   return out;
 }
 
-// Only what applies: the fields left at their defaults are absent.
-Json engine_json(const intersect::EngineReport& engine) {
-  Json out = Json::object();
-  const auto add = [&](const char* name, const auto& value, bool applies) {
-    if (applies) out[name] = value;
-  };
-  add("method", engine.method, !engine.method.empty());
-  add("matrix", engine.matrix, !engine.matrix.empty());
-  add("hidden_variable", engine.hidden_variable, !engine.hidden_variable.empty());
-  add("matrix_size", engine.matrix_size, engine.matrix_size != 0);
-  add("matrix_degree", engine.matrix_degree, engine.matrix_size != 0);
-  add("pencil_size", engine.pencil_size, engine.pencil_size != 0);
-  add("regular_size", engine.regular_size, engine.pencil_size != 0);
-  add("precision_bits", engine.precision_bits, engine.precision_bits != 0);
-  if (engine.shear) out["shear"] = *engine.shear;
-  if (engine.largest_error_before_refinement)
-    out["largest_error_before_refinement"] = *engine.largest_error_before_refinement;
-  if (engine.pencil_multiplicities)
-    out["pencil_multiplicities"] = {{"distinct", engine.pencil_multiplicities->distinct_by_multiplicity},
-                                    {"at_infinity", engine.pencil_multiplicities->at_infinity}};
-  out["seed"] = engine.seed;
-  return out;
-}
-
-Json seconds_json(const std::vector<std::pair<std::string, double>>& seconds) {
-  Json out = Json::object();
-  for (const auto& [stage, value] : seconds) out[stage] = std::round(value * 1e6) / 1e6;
-  return out;
-}
-
 }  // namespace
 
 std::string result_json(const intersect::Result& result, const std::optional<ProblemId>& id) {
-  Json out;
-  out["format"] = 1;
-  out["problem"] = result.problem;
-  if (id) std::visit([&](const auto& value) { out["id"] = value; }, *id);
-  out["status"] = word_for(result.status);
-  if (result.rest_status) out["rest_status"] = word_for(*result.rest_status);
-  if (result.limit) out["error"] = error_object(report_error(LimitReached(*result.limit)));
+  Json out = result_heading(result.problem, id, result.status, result.rest_status, result.limit);
   out["variables"] = result.variables;
   if (result.common_component)
     out["common_component"] = symbolic::to_string(*result.common_component, result.variables);

@@ -29,4 +29,6 @@ const char* word_for(intersect::Reality reality) {
   return "undecided";
 }
 
+std::string radius_text(long exponent) { return "1e" + std::to_string(exponent); }
+
 }  // namespace eliminant::io

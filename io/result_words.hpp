@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include <eliminant/intersect/result.hpp>
 
 namespace eliminant::io {
@@ -10,5 +12,8 @@ const char* word_for(intersect::Status status);
 
 /// `true`, `false`, `undecided`.
 const char* word_for(intersect::Reality reality);
+
+/// The power of ten with this exponent, `1e-15`.
+std::string radius_text(long exponent);
 
 }  // namespace eliminant::io

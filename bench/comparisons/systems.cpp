@@ -56,7 +56,8 @@ System dense_of_100_bits(long degree) {
 
 System example(int number) {
   const std::string path = std::string(ELIMINANT_EXAMPLES) + "/paper_example_" + std::to_string(number) + ".json";
-  const auto problem = io::read_problem(io::read_text(path), io::ProblemSyntax::json).problem;
+  const io::ProblemFile file = io::read_problem(io::read_text(path), io::ProblemSyntax::json);
+  const auto& problem = std::get<intersect::PlaneCurvesProblem>(file.problem);
   return system("paper, example " + std::to_string(number), problem.p, problem.q);
 }
 

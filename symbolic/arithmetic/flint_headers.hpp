@@ -11,6 +11,7 @@
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz.h>
+#include <flint/fmpz_mat.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
@@ -26,12 +27,14 @@
 #endif
 #if __has_include(<flint/arb.h>)
 #include <flint/acb.h>
+#include <flint/acb_mat.h>
 #include <flint/acb_poly.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
 #include <flint/arb_poly.h>
 #else
 #include <acb.h>
+#include <acb_mat.h>
 #include <acb_poly.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>

@@ -80,7 +80,7 @@ inline std::vector<Row> rows() {
       {"no kind", "json", "{\"p\": \"x\", \"q\": \"y\"}", invalid, 1, 1, "\"problem\" is missing", "plane_curves"},
       {"kind as number", "json", "{\"problem\": 3}", invalid, 1, 13, "is a number", "plane_curves"},
       {"unknown kind", "json", "{\"problem\": \"curves\"}", invalid, 1, 13, "unknown problem kind", "plane_curves"},
-      {"kind of a later version", "json", "{\"problem\": \"curve_surface\"}", invalid, 1, 13,
+      {"kind of a later version", "json", "{\"problem\": \"surface_surface\"}", invalid, 1, 13,
        "not supported by this version", "plane_curves"},
       {"no p", "json", "{\"problem\": \"plane_curves\", \"q\": \"y\"}", invalid, 1, 1, "\"p\" is missing",
        "a polynomial"},

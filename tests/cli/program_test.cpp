@@ -202,4 +202,47 @@ TEST_CASE("program: verify compares its own results and somebody's floats") {
   CHECK(run_program(folder, "verify '" + problem + "' '" + folder.file("f.csv") + "' --tolerance 2").status == 2);
 }
 
+TEST_CASE("program: certificates and verify are for plane curves, and say so") {
+  const TemporaryFolder folder;
+  const std::string curve = R"({"parameter": "t", "x": "t", "y": "t^2"})";
+  const std::string problem = folder.write(
+      "p.json", R"({"problem": "curve_curve", "id": 7, "first": )" + curve + R"(, "second": {"implicit": "x - y"}})");
+  const std::string certificate = folder.file("c.json");
+  for (const std::string& arguments :
+       {"solve '" + problem + "' --certificate '" + certificate + "'",
+        "verify '" + problem + "' --certificate '" + certificate + "'", "verify '" + problem + "' candidates.csv"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = run_program(folder, arguments + " --format json");
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.err, "p.json: "));
+    CHECK(contains(outcome.err, "plane_curves"));
+    const JsonDocument result(outcome.out);
+    CHECK(result.root().find("problem")->text == "curve_curve");
+    CHECK(result.root().find("id")->text == "7");
+    CHECK(result.root().find("error")->find("kind")->text == "invalid_input");
+  }
+  CHECK_FALSE(std::filesystem::exists(certificate));
+}
+
+TEST_CASE("program: an error names the kind of its problem, null where it is unknown") {
+  const TemporaryFolder folder;
+  const auto problem_of = [&](const std::string& arguments) {
+    const Outcome outcome = run_program(folder, arguments + " --format json");
+    CHECK(outcome.status == 2);
+    const JsonDocument result(outcome.out);
+    const eliminant::io::JsonValue* const problem = result.root().find("problem");
+    return problem->kind == eliminant::io::JsonValue::Kind::null ? "null" : problem->text;
+  };
+  const auto kind_in = [&](const std::string& text) {
+    return problem_of("solve '" + folder.write("p.json", text) + "'");
+  };
+  CHECK(kind_in(R"({"problem": "curve_surface", "curve": 1})") == "curve_surface");
+  CHECK(kind_in(R"({"first": 1, "problem": "curve_curve"})") == "curve_curve");
+  CHECK(kind_in(R"({"problem": "plane_curves", "p": "x +", "q": "y"})") == "plane_curves");
+  CHECK(kind_in(R"({"problem": "plane_curves", )") == "null");
+  CHECK(problem_of("solve '" + folder.write("p.ms", "x, y\n0\nx +, y\n") + "'") == "plane_curves");
+  CHECK(problem_of("curves x+ y") == "plane_curves");
+  CHECK(problem_of("solve") == "null");
+}
+
 #endif

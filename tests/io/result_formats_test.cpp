@@ -6,6 +6,7 @@
 #include <eliminant/io/result_csv.hpp>
 #include <eliminant/io/result_json.hpp>
 #include <eliminant/io/result_text.hpp>
+#include <eliminant/io/stated_kind.hpp>
 
 using namespace eliminant;
 using namespace eliminant::io;
@@ -164,11 +165,25 @@ TEST_CASE("report_error: kind and exit status of every class of error") {
 }
 
 TEST_CASE("error_json: all fields, null where nothing is known") {
-  const std::string text = error_json(report_error(ParseError("bad", "good", {3, 4})), ProblemId(7L), false);
+  const std::string text =
+      error_json(report_error(ParseError("bad", "good", {3, 4})), "curve_curve", ProblemId(7L), false);
+  CHECK(contains(text, "\"problem\": \"curve_curve\""));
   CHECK(contains(text, "\"status\": \"error\""));
   CHECK(contains(text, "\"id\": 7"));
   CHECK(contains(text,
                  R"("error": {"kind": "parse_error", "message": "bad", "line": 3, "column": 4, "expected": "good"})"));
-  CHECK(contains(error_json(report_error(LimitReached("m")), std::nullopt, true), "\"status\": \"incomplete\""));
+  const std::string limit = error_json(report_error(LimitReached("m")), std::nullopt, std::nullopt, true);
+  CHECK(contains(limit, "\"status\": \"incomplete\""));
+  CHECK(contains(limit, "\"problem\": null"));
   CHECK(error_line(report_error(ParseError("bad", "good", {3, 4})), "f.json") == "f.json:3:4: bad; expected good");
+}
+
+TEST_CASE("stated_kind: what a text calls itself, also when it is no problem") {
+  CHECK(stated_kind(R"({"id": 1, "problem": "curve_surface", "curve": 7})", ProblemSyntax::json) == "curve_surface");
+  CHECK(stated_kind("x, y\n0\n", ProblemSyntax::msolve) == "plane_curves");
+  for (const char* text : {"", "[]", "{}", R"({"problem": 1})", R"({"problem": "curve_curve")"}) {
+    CAPTURE(text);
+    CHECK_FALSE(stated_kind(text, ProblemSyntax::json));
+  }
+  CHECK_FALSE(stated_kind("{\"problem\": \"" + std::string(1000, 'x') + "\"}", ProblemSyntax::json));
 }

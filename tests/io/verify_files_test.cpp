@@ -39,16 +39,16 @@ TEST_CASE("certificate file: reading gives back what was written") {
   for (const auto& [p, q] :
        {std::pair{"(x-1)^2+y^2-1", "x*(y-2)"}, {"(x-y)*(x+2*y)-1/3", "(x-y)*(x+3*y)-1"}, {"x*(x-y)", "x*(y-3)^2"}}) {
     CAPTURE(p);
-    const ProblemFile file = problem_from_arguments(p, q, std::nullopt);
+    const auto problem = std::get<intersect::PlaneCurvesProblem>(problem_from_arguments(p, q, std::nullopt).problem);
     intersect::Options options;
     options.certificate = true;
-    const intersect::Result result = intersect::intersect_plane_curves(file.problem, options, Context());
+    const intersect::Result result = intersect::intersect_plane_curves(problem, options, Context());
     REQUIRE(result.certificate.has_value());
     const std::string text = certificate_json(*result.certificate);
     const intersect::Certificate again = read_certificate(text);
     CHECK(certificate_json(again) == text);
     CHECK(again.balls.size() == result.certificate->balls.size());
-    CHECK(intersect::check_certificate(file.problem, again, Context()).empty());
+    CHECK(intersect::check_certificate(problem, again, Context()).empty());
   }
 }
 

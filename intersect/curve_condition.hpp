@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/intersect/curve_result.hpp>
+#include <eliminant/intersect/options.hpp>
+#include <eliminant/intersect/parameter_roots.hpp>
+#include <eliminant/symbolic/elimination/representation_minors.hpp>
+#include <eliminant/symbolic/geometry/rational_curve.hpp>
+
+namespace eliminant::intersect {
+
+/// A point of a curve at a root of a condition on its parameter.
+struct PointOnCurve {
+  /// Homogeneous coordinates.
+  std::vector<bridge::ComplexBall> coordinates;
+  /// The root, or nullptr at t = infinity.
+  ParameterRoots* roots = nullptr;
+  std::size_t index = 0;
+  bool real = false;
+  long precision_bits = 0;
+};
+
+enum class Filling {
+  done,
+  more_precision,  ///< the balls are too wide
+  left_out         ///< the point does not belong to the part that was asked for
+};
+
+/// Adds to a solution what lies beyond the curve: parameters on a surface, whether they are inside.
+using FillSolution = std::function<Filling(CurveSolution&, const PointOnCurve&)>;
+
+/// Real solutions only: as the options say, else where a part was asked for.
+bool real_only(const Options& options, bool has_domain);
+
+/// Adds the roots of a condition that is not zero, of degree condition.degree(), as solutions with the parameter t and
+/// the point, and their counts. Multiplicities are divided by `map_degree`.
+void add_condition_roots(const symbolic::CurvePiece& piece, const symbolic::ParameterForm& condition, long map_degree,
+                         bool real_solutions, const Options& options, const Context& context, const FillSolution& fill,
+                         CurveResult& result);
+
+/// The part of the curve that its domain leaves.
+Overlap whole_curve(const symbolic::CurvePiece& piece, const Options& options);
+
+/// True when the curve of a piece arrives where the next one begins, so that a solution there is one.
+bool joined(const symbolic::CurvePiece& before, const symbolic::CurvePiece& after);
+
+/// Whether the parameter is printed from a ball that contains the number.
+bool is_at(const std::optional<Parameter>& parameter, const symbolic::Rational& value);
+
+/// Adds up counts, and what else a part of a problem says.
+void add_part(Status status, const CurveCounts& counts, const EngineReport& engine,
+              const std::vector<std::string>& warnings, CurveResult& result);
+
+/// Sorts, counts what is listed, and settles the status.
+void finish(const Options& options, CurveResult& result);
+
+}  // namespace eliminant::intersect

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/curve_curve.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/curve_condition.hpp>
+#include <eliminant/intersect/map_pair.hpp>
+#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using symbolic::CurvePiece;
+using symbolic::ParametricCurve;
+using symbolic::Polynomial;
+using symbolic::Rational;
+using symbolic::UnivariatePolynomial;
+
+class CurveCurve {
+ public:
+  CurveCurve(const Options& options, const Context& context) : options_(options), context_(context) {
+    result_.problem = "curve_curve";
+    result_.status = Status::certified;
+  }
+
+  CurveResult run(const CurveCurveProblem& problem) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto* first = std::get_if<ParametricCurve>(&problem.first);
+    const auto* second = std::get_if<ParametricCurve>(&problem.second);
+    result_.in_plane = true;
+    result_.first_implicit = first == nullptr;
+    result_.second_implicit = second == nullptr;
+    if (first != nullptr && second != nullptr) {
+      intersect_maps(*first, *second);
+    } else if (first != nullptr) {
+      intersect_map_with_equation(*first, std::get<ImplicitCurve>(problem.second).equation, false);
+    } else if (second != nullptr) {
+      intersect_map_with_equation(*second, std::get<ImplicitCurve>(problem.first).equation, true);
+    } else {
+      intersect_equations(std::get<ImplicitCurve>(problem.first).equation,
+                          std::get<ImplicitCurve>(problem.second).equation);
+    }
+    finish(options_, result_);
+    result_.seconds.emplace_back("total",
+                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return std::move(result_);
+  }
+
+ private:
+  void intersect_maps(const ParametricCurve& first, const ParametricCurve& second) {
+    for (const ParametricCurve* curve : {&first, &second})
+      for (const CurvePiece& piece : curve->pieces)
+        if (piece.map.dimension() != 2)
+          throw InvalidInput("two curves in space are not supported by this version", "plane curves");
+    for (std::size_t i = 0; i < first.pieces.size(); ++i)
+      for (std::size_t j = 0; j < second.pieces.size(); ++j) {
+        MapPairResult part = intersect_map_pair(first.pieces[i], second.pieces[j], options_, context_);
+        add_part(part.status, part.counts, part.engine, part.warnings, result_);
+        // A solution on a seam belongs to the piece that ends there.
+        const bool t_seam = i > 0 && joined(first.pieces[i - 1], first.pieces[i]);
+        const bool u_seam = j > 0 && joined(second.pieces[j - 1], second.pieces[j]);
+        for (std::vector<CurveSolution>* solutions : {&part.solutions, &part.touches})
+          for (CurveSolution& solution : *solutions) {
+            if (t_seam && is_at(solution.t, first.pieces[i].domain->lower)) continue;
+            if (u_seam && is_at(solution.u, second.pieces[j].domain->lower)) continue;
+            if (solutions == &part.touches && touches_overlap(solution)) continue;
+            result_.solutions.push_back(std::move(solution));
+          }
+        result_.overlap.insert(result_.overlap.end(), part.overlap.begin(), part.overlap.end());
+      }
+  }
+
+  /// True when an overlap that was found already has this end.
+  bool touches_overlap(const CurveSolution& solution) const {
+    return std::any_of(result_.overlap.begin(), result_.overlap.end(), [&](const Overlap& overlap) {
+      return overlap.t && std::any_of(overlap.t->begin(), overlap.t->end(), [&](const Parameter& end) {
+               return end && end->exact && is_at(solution.t, *end->exact);
+             });
+    });
+  }
+
+  /// f(x / w, y / w) w^deg f along the map: the intersections are the roots of one polynomial.
+  void intersect_map_with_equation(const ParametricCurve& curve, const Polynomial& equation, bool equation_first) {
+    if (equation.is_zero()) throw InvalidInput("the equation of a curve is 0", "a polynomial that is not constant");
+    if (equation.is_constant()) throw InvalidInput("the equation of a curve is constant", "a curve");
+    for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
+      const CurvePiece& piece = curve.pieces[i];
+      if (piece.map.dimension() != 2) throw InvalidInput("a curve in space meets a plane curve", "a plane curve");
+      if (piece.map.degree() < 1) throw InvalidInput("a curve is a single point", "a map that is not constant");
+      const std::size_t before = result_.solutions.size();
+      const UnivariatePolynomial condition = substitute(piece.map, equation);
+      const long degree = equation.total_degree() * piece.map.degree();
+      result_.engine.method = "exact";
+      if (condition.is_zero())
+        result_.overlap.push_back(whole_curve(piece, options_));
+      else
+        add_condition_roots(
+            piece, {condition, degree - condition.degree()}, 1, real_only(options_, piece.domain.has_value()), options_,
+            context_, [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result_);
+      if (i > 0 && joined(curve.pieces[i - 1], piece))
+        std::erase_if(result_.solutions, [&, index = std::size_t{0}](const CurveSolution& solution) mutable {
+          return index++ >= before && is_at(solution.t, piece.domain->lower);
+        });
+    }
+    if (equation_first) {
+      for (CurveSolution& solution : result_.solutions) std::swap(solution.t, solution.u);
+      for (Overlap& overlap : result_.overlap) std::swap(overlap.t, overlap.u);
+    }
+  }
+
+  static UnivariatePolynomial substitute(const symbolic::RationalCurve& map, const Polynomial& equation) {
+    const auto degree = static_cast<unsigned long>(equation.total_degree());
+    const Polynomial integral = equation.primitive_part();
+    UnivariatePolynomial value;
+    const auto& f = map.coordinates();
+    for (const Polynomial::Term& term : integral.terms()) {
+      UnivariatePolynomial product({term.coefficient.numerator()});
+      product = product * symbolic::power(f[0], term.exponents[0]) * symbolic::power(f[1], term.exponents[1]) *
+                symbolic::power(f[2], degree - term.exponents[0] - term.exponents[1]);
+      value = value + product;
+    }
+    return value;
+  }
+
+  void intersect_equations(const Polynomial& first, const Polynomial& second) {
+    PlaneCurvesProblem problem;
+    problem.p = first;
+    problem.q = second;
+    const Result plane = intersect_plane_curves(problem, options_, context_);
+    result_.status = plane.status;
+    result_.rest_status = plane.rest_status;
+    result_.limit = plane.limit;
+    result_.engine = plane.engine;
+    result_.warnings = plane.warnings;
+    const Counts& counts = plane.counts;
+    result_.counts = {counts.distinct,
+                      counts.real,
+                      counts.undecided,
+                      0,
+                      counts.with_multiplicity + counts.at_infinity,
+                      counts.bezout_number,
+                      0};
+    if (counts.at_infinity > 0)
+      result_.warnings.push_back(std::to_string(counts.at_infinity) +
+                                 " intersections, with multiplicity, lie at infinity and are not listed");
+    for (const Solution& s : plane.solutions) {
+      CurveSolution solution;
+      const Coordinate one{ComplexBall(1, 0), "1", "0", Rational(1)};
+      solution.point = {s.x, s.y, one};
+      solution.multiplicity = s.multiplicity;
+      solution.inside = s.reality == Reality::real;
+      solution.radius_exponent = s.radius_exponent;
+      solution.reality = s.reality;
+      solution.certified = s.certified;
+      solution.reason = s.reason;
+      result_.solutions.push_back(std::move(solution));
+    }
+    if (plane.status == Status::infinite) result_.overlap.push_back({{}, {}, true});
+  }
+
+  const Options& options_;
+  const Context& context_;
+  CurveResult result_;
+};
+
+}  // namespace
+
+CurveResult intersect_curve_curve(const CurveCurveProblem& problem, const Options& options, const Context& context) {
+  symbolic::install_flint_error_handler();
+  return CurveCurve(options, context).run(problem);
+}
+
+}  // namespace eliminant::intersect

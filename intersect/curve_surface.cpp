@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/curve_surface.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/bridge/krawczyk_system.hpp>
+#include <eliminant/intersect/curve_condition.hpp>
+#include <eliminant/intersect/curve_presentation.hpp>
+#include <eliminant/intersect/surface_preimages.hpp>
+#include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+#include <eliminant/symbolic/geometry/border_curve.hpp>
+#include <eliminant/symbolic/matrices/moving_lines.hpp>
+#include <eliminant/symbolic/matrices/moving_planes.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using symbolic::CurvePiece;
+using symbolic::MatrixRepresentation;
+using symbolic::ParameterForm;
+using symbolic::ParametricSurface;
+using symbolic::Polynomial;
+using symbolic::Rational;
+using symbolic::RationalCurve;
+using symbolic::RationalSurface;
+using symbolic::SurfacePiece;
+using symbolic::UnivariatePolynomial;
+
+enum class Answer { yes, no, unknown };
+
+/// f(x / w, y / w, z / w) w^degree along the curve.
+UnivariatePolynomial substitute(const RationalCurve& map, const Polynomial& equation) {
+  const auto degree = static_cast<unsigned long>(equation.total_degree());
+  const Polynomial integral = equation.primitive_part();
+  UnivariatePolynomial value;
+  const auto& f = map.coordinates();
+  for (const Polynomial::Term& term : integral.terms()) {
+    unsigned long weight = degree;
+    UnivariatePolynomial product({term.coefficient.numerator()});
+    for (std::size_t k = 0; k < 3; ++k) {
+      product = product * symbolic::power(f[k], term.exponents[k]);
+      weight -= term.exponents[k];
+    }
+    value = value + product * symbolic::power(f[3], weight);
+  }
+  return value;
+}
+
+/// A representation with row monomials of at least this degree in each group of parameters: of a bilinear surface and
+/// of a plane the smallest one does not tell both parameters (1), and k parameters of one point are only told apart in
+/// degree k, whatever their position.
+MatrixRepresentation inversion_matrix(const RationalSurface& surface, long least) {
+  if (surface.kind() == RationalSurface::Kind::triangular)
+    return symbolic::moving_plane_matrix(surface, std::max(least, symbolic::representation_degree(surface)));
+  std::array<long, 2> nu = symbolic::representation_bidegree(surface);
+  for (long& degree : nu) degree = std::max(degree, least);
+  return symbolic::moving_plane_matrix(surface, nu);
+}
+
+/// A representation and what reads parameters from its kernels.
+struct Inversion {
+  Inversion(const RationalSurface& surface, long least)
+      : matrix(inversion_matrix(surface, least)), inversion(surface, matrix) {}
+  Inversion(const Inversion&) = delete;
+  Inversion& operator=(const Inversion&) = delete;
+
+  MatrixRepresentation matrix;
+  SurfaceInversion inversion;
+};
+
+/// One piece of a surface, prepared for any number of curves.
+class PreparedSurface {
+ public:
+  PreparedSurface(const SurfacePiece& surface_piece, std::uint64_t seed)
+      : piece(surface_piece),
+        smallest_(piece.map, 1),
+        degree(symbolic::implicit_degree(piece.map, smallest_.matrix, seed)) {}
+
+  const MatrixRepresentation& matrix() const { return smallest_.matrix; }
+  const SurfaceInversion& inversion() const { return smallest_.inversion; }
+  /// For points with that many parameters.
+  const SurfaceInversion& inversion_for(long parameters) {
+    if (parameters <= 1) return smallest_.inversion;
+    auto& larger = larger_[parameters];
+    if (!larger) larger = std::make_unique<Inversion>(piece.map, parameters);
+    return larger->inversion;
+  }
+
+  const SurfacePiece& piece;
+
+ private:
+  Inversion smallest_;
+  std::map<long, std::unique_ptr<Inversion>> larger_;
+
+ public:
+  const symbolic::ImplicitDegree degree;
+};
+
+/// One piece of the curve with one piece of the surface.
+class PiecePair {
+ public:
+  PiecePair(const CurvePiece& curve, PreparedSurface& surface, const Options& options, const Context& context,
+            CurveResult& result)
+      : curve_(curve), surface_(surface), options_(options), context_(context), result_(result) {}
+
+  void run() {
+    const MatrixRepresentation& m = surface_.matrix();
+    result_.engine.method = "exact";
+    result_.engine.matrix = "moving planes";
+    result_.engine.matrix_size = m.rows();
+    result_.engine.matrix_degree = curve_.map.degree();
+    if (m.columns() < m.rows())
+      throw LimitReached("the base points of the surface leave no matrix representation by moving planes");
+    ParameterForm condition = symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
+    if (condition.finite.is_zero()) {
+      add_contained_curve();
+      return;
+    }
+    const long expected = surface_.degree.product * curve_.map.degree();
+    bool proven = surface_.degree.proven;
+    if (condition.degree() != expected) {
+      if (auto exact = symbolic::surface_on_curve(m, surface_.degree, curve_.map, condition, options_.seed, context_))
+        condition = *std::move(exact);
+      else
+        proven = false;
+    }
+    const bool real = real_only(options_, curve_.domain.has_value() || surface_.piece.region.has_value());
+    const std::size_t before = result_.solutions.size();
+    add_condition_roots(
+        curve_, condition, surface_.degree.map_degree, real, options_, context_,
+        [&](CurveSolution& solution, const PointOnCurve& point) { return fill(solution, point, real); }, result_);
+    if (proven) return;
+    result_.status = Status::numeric;
+    for (std::size_t i = before; i < result_.solutions.size(); ++i) {
+      result_.solutions[i].certified = false;
+      result_.solutions[i].reason = "the base points of the surface leave its degree unproven";
+    }
+  }
+
+ private:
+  /// A curve of the surface on which one of its homogeneous parameters has a fixed ratio: the condition on t that the
+  /// curve meets it.
+  const ParameterForm& border_condition(std::size_t group, const std::optional<Rational>& value) {
+    const auto key = std::pair(group, value ? value->to_string() : "inf");
+    auto found = borders_.find(key);
+    if (found == borders_.end())
+      found = borders_.emplace(key, meeting_condition(symbolic::border_curve(surface_.piece.map, group, value))).first;
+    return found->second;
+  }
+
+  ParameterForm meeting_condition(const std::optional<RationalCurve>& border) {
+    if (!border) return {};  // a line of base points: every parameter may belong to it
+    if (border->degree() == 0) {
+      // A point: the minors of order two of both columns.
+      ParameterForm condition;
+      const std::vector<symbolic::Integer> point = border->at_infinity();
+      long order = curve_.map.degree();
+      const auto& f = curve_.map.coordinates();
+      for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const UnivariatePolynomial minor =
+              f[i] * UnivariatePolynomial({point[j]}) - f[j] * UnivariatePolynomial({point[i]});
+          if (minor.is_zero()) continue;
+          condition.finite = symbolic::gcd(condition.finite, minor);
+          order = std::min(order, curve_.map.degree() - minor.degree());
+        }
+      condition.order_at_infinity = order;
+      return condition;
+    }
+    const MatrixRepresentation m =
+        symbolic::moving_line_matrix(*border, border->degree() - 1 > 0 ? border->degree() - 1 : 1);
+    return symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
+  }
+
+  /// Whether the point lies on that curve of the surface, decided exactly.
+  bool on_border(const PointOnCurve& point, std::size_t group, const std::optional<Rational>& value) {
+    const ParameterForm& condition = border_condition(group, value);
+    if (condition.finite.is_zero()) return true;
+    return point.roots == nullptr ? condition.order_at_infinity > 0
+                                  : point.roots->is_zero_of(point.index, condition.finite);
+  }
+
+  Filling fill(CurveSolution& solution, const PointOnCurve& point, bool real) {
+    const std::optional<Preimages> preimages = find_preimages(point);
+    if (!preimages) return Filling::more_precision;
+    Answer inside = surface_.piece.region ? Answer::no : Answer::yes;
+    for (const HomogeneousParameters& parameters : preimages->parameters) {
+      if (is_base_point(parameters, point)) {
+        if (point.precision_bits < largest_precision) return Filling::more_precision;
+        continue;
+      }
+      std::optional<std::vector<Parameter>> printed = print(parameters, point, solution.radius_exponent);
+      const Answer within = is_within(parameters, point);
+      if (!printed || within == Answer::unknown) return Filling::more_precision;
+      if (within == Answer::yes) inside = Answer::yes;
+      solution.surface_parameters.push_back(*std::move(printed));
+    }
+    if (!preimages->proven) {
+      if (inside == Answer::no) inside = on_collapsed_border(point) ? Answer::yes : Answer::unknown;
+      warn("not all parameters of a point of the surface could be proven; those that are not are left out");
+    }
+    if (inside == Answer::unknown) {
+      solution.certified = false;
+      solution.reason = "whether the point lies in the patch is not proven";
+    }
+    solution.inside = solution.inside && inside == Answer::yes;
+    return real && !solution.inside && inside != Answer::unknown ? Filling::left_out : Filling::done;
+  }
+
+  void warn(const std::string& warning) {
+    if (std::find(result_.warnings.begin(), result_.warnings.end(), warning) == result_.warnings.end())
+      result_.warnings.push_back(warning);
+  }
+
+  /// A whole border of the patch may be one point, as at the pole of a sphere.
+  bool on_collapsed_border(const PointOnCurve& point) {
+    const symbolic::ParameterRegion& region = *surface_.piece.region;
+    const auto collapsed = [&](std::size_t axis, const Rational& value) {
+      const std::optional<RationalCurve> border = symbolic::border_curve(surface_.piece.map, axis, value);
+      return border && border->degree() == 0 && point.real && on_border(point, axis, value);
+    };
+    if (region.triangle) return collapsed(0, Rational(0)) || collapsed(1, Rational(0)) || collapsed(2, Rational(0));
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      if (collapsed(axis, region.sides[axis].lower) || collapsed(axis, region.sides[axis].upper)) return true;
+    return false;
+  }
+
+  /// A kernel of larger dimension is believed when no precision shows a smaller one. Its parameters count when they are
+  /// proven one by one.
+  std::optional<Preimages> find_preimages(const PointOnCurve& point) {
+    const bool patient = point.precision_bits < largest_precision && surface_.degree.map_degree == 1;
+    const long most = patient ? 1 : surface_.matrix().rows();
+    std::optional<Preimages> found = surface_.inversion().preimages(point.coordinates, most, point.precision_bits);
+    if (!found || found->proven) return found;
+    const long dimension = found->kernel_dimension;
+    const SurfaceInversion& larger = surface_.inversion_for(dimension);
+    found = larger.preimages(point.coordinates, std::numeric_limits<long>::max(), point.precision_bits);
+    prove(*found, point);
+    return found;
+  }
+
+  /// Krawczyk's test in the parameters of the surface and the curve at once.
+  void prove(Preimages& preimages, const PointOnCurve& point) {
+    std::vector<HomogeneousParameters> proven;
+    if (point.roots == nullptr) preimages.parameters.clear();
+    for (const HomogeneousParameters& start : preimages.parameters) {
+      std::optional<HomogeneousParameters> enclosed = prove(start, point);
+      if (!enclosed) continue;
+      const bool known = std::any_of(proven.begin(), proven.end(), [&](const HomogeneousParameters& other) {
+        return std::equal(other.begin(), other.end(), enclosed->begin(),
+                          [](const auto& a, const auto& b) { return acb_overlaps(a.get(), b.get()) != 0; });
+      });
+      if (!known) proven.push_back(*std::move(enclosed));
+    }
+    preimages.proven = static_cast<long>(proven.size()) == preimages.kernel_dimension;
+    preimages.parameters = std::move(proven);
+  }
+
+  std::optional<HomogeneousParameters> prove(const HomogeneousParameters& start, const PointOnCurve& point) {
+    std::vector<std::size_t> variables;
+    for (std::size_t k = 0; k < start.size(); ++k)
+      if (acb_is_one(start[k].get()) == 0 || variables_of_same_group(start, k)) variables.push_back(k);
+    if (variables.size() != 2) return std::nullopt;
+    std::size_t largest = 0;
+    for (std::size_t k = 1; k < 4; ++k)
+      if (acb_contains_zero(point.coordinates[largest].get()) != 0) largest = k;
+    const auto system = [&](const std::vector<ComplexBall>& at, long precision_bits) {
+      HomogeneousParameters parameters = start;
+      for (std::size_t k = 0; k < 2; ++k) parameters[variables[k]] = at[k];
+      const std::vector<ComplexBall> on_surface = surface_.inversion().point_at(parameters, precision_bits);
+      std::array<std::vector<ComplexBall>, 2> by_parameter{
+          surface_.inversion().derivative_at(parameters, variables[0], precision_bits),
+          surface_.inversion().derivative_at(parameters, variables[1], precision_bits)};
+      std::vector<ComplexBall> on_curve;
+      std::vector<ComplexBall> tangent;
+      for (const UnivariatePolynomial& f : curve_.map.coordinates()) {
+        on_curve.push_back(evaluate(f, at[2], precision_bits));
+        tangent.push_back(evaluate(f.derivative(), at[2], precision_bits));
+      }
+      const auto bracket = [&](const std::vector<ComplexBall>& a, const std::vector<ComplexBall>& b, std::size_t j) {
+        ComplexBall value;
+        acb_mul(value.get(), a[j].get(), b[largest].get(), precision_bits);
+        acb_submul(value.get(), a[largest].get(), b[j].get(), precision_bits);
+        return value;
+      };
+      bridge::SystemValue value;
+      for (std::size_t j = 0; j < 4; ++j) {
+        if (j == largest) continue;
+        value.values.push_back(bracket(on_surface, on_curve, j));
+        value.jacobian.push_back({bracket(by_parameter[0], on_curve, j), bracket(by_parameter[1], on_curve, j),
+                                  bracket(on_surface, tangent, j)});
+      }
+      return value;
+    };
+    // A start in the real plane makes a box that is its own mirror image.
+    std::vector<ComplexBall> from{start[variables[0]], start[variables[1]], point.roots->ball(point.index)};
+    bool start_real = point.real;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double imaginary = arf_get_d(arb_midref(from[k].imaginary()), ARF_RND_NEAR);
+      start_real = start_real && std::fabs(imaginary) < 1e-6;
+    }
+    if (start_real)
+      for (ComplexBall& value : from) arb_zero(value.imaginary());
+    const auto zero = bridge::enclose_system_zero(system, from, point.precision_bits);
+    if (!zero) return std::nullopt;
+    for (std::size_t i = 0; i < point.roots->size(); ++i)
+      if (i != point.index && acb_overlaps((*zero)[2].get(), point.roots->ball(i).get()) != 0) return std::nullopt;
+    HomogeneousParameters result = start;
+    for (std::size_t k = 0; k < 2; ++k) {
+      result[variables[k]] = (*zero)[k];
+      if (start_real) arb_zero(result[variables[k]].imaginary());
+    }
+    return result;
+  }
+
+  /// One of several exact ones of a group is only normalised, not the others.
+  bool variables_of_same_group(const HomogeneousParameters& parameters, std::size_t k) const {
+    for (const std::vector<std::size_t>& group : surface_.inversion().groups()) {
+      if (std::find(group.begin(), group.end(), k) == group.end()) continue;
+      for (const std::size_t other : group)
+        if (acb_is_one(parameters[other].get()) != 0) return other != k;
+    }
+    return false;
+  }
+
+  /// At a base point all coordinates vanish; at parameters of a point they do not.
+  bool is_base_point(const HomogeneousParameters& parameters, const PointOnCurve& point) const {
+    const std::vector<ComplexBall> image = surface_.inversion().point_at(parameters, point.precision_bits);
+    return std::all_of(image.begin(), image.end(),
+                       [](const ComplexBall& z) { return acb_contains_zero(z.get()) != 0; });
+  }
+
+  std::optional<std::vector<Parameter>> print(const HomogeneousParameters& parameters, const PointOnCurve& point,
+                                              long& radius_exponent) {
+    if (surface_.piece.map.kind() == RationalSurface::Kind::triangular) {
+      auto printed = print_point(parameters, options_.digits, point.precision_bits, radius_exponent,
+                                 [&](std::size_t k) { return on_border(point, k, Rational(0)); });
+      if (!printed) return std::nullopt;
+      return std::vector<Parameter>(printed->begin(), printed->end());
+    }
+    std::vector<Parameter> result;
+    for (std::size_t group = 0; group < 2; ++group) {
+      ComplexBall numerator = parameters[2 * group];
+      const ComplexBall& denominator = parameters[2 * group + 1];
+      if (acb_contains_zero(denominator.get()) != 0) {
+        if (!on_border(point, group, std::nullopt)) return std::nullopt;
+        result.emplace_back(std::nullopt);
+        continue;
+      }
+      if (acb_contains_zero(numerator.get()) != 0 && on_border(point, group, Rational(0))) acb_zero(numerator.get());
+      acb_div(numerator.get(), numerator.get(), denominator.get(), point.precision_bits);
+      if (point.real && surface_.degree.map_degree == 1) arb_zero(numerator.imaginary());
+      Parameter printed = print_value(numerator, options_.digits, radius_exponent);
+      if (!printed) return std::nullopt;
+      result.push_back(std::move(printed));
+    }
+    return result;
+  }
+
+  Answer is_within(const HomogeneousParameters& parameters, const PointOnCurve& point) {
+    if (!point.real) return Answer::no;
+    if (!surface_.piece.region) return Answer::yes;
+    const symbolic::ParameterRegion& region = *surface_.piece.region;
+    Answer result = Answer::yes;
+    const auto require = [&](const ComplexBall& value, std::size_t group, const Rational& border) {
+      if (arb_contains_zero(value.imaginary()) == 0) result = Answer::no;
+      if (result == Answer::no || arb_is_positive(value.real()) != 0) return;
+      if (arb_is_negative(value.real()) != 0) {
+        result = Answer::no;
+      } else if (!on_border(point, group, border)) {
+        result = Answer::unknown;
+      }
+    };
+    const long bits = point.precision_bits;
+    if (region.triangle) {
+      ComplexBall sum;
+      for (const ComplexBall& parameter : parameters) acb_add(sum.get(), sum.get(), parameter.get(), bits);
+      if (acb_contains_zero(sum.get()) != 0) return Answer::unknown;
+      for (std::size_t k = 0; k < 3; ++k) {
+        ComplexBall barycentric;
+        acb_div(barycentric.get(), parameters[k].get(), sum.get(), bits);
+        require(barycentric, k, Rational(0));
+      }
+      return result;
+    }
+    for (std::size_t group = 0; group < 2; ++group) {
+      ComplexBall value;
+      if (acb_contains_zero(parameters[2 * group + 1].get()) != 0)
+        return on_border(point, group, std::nullopt) ? Answer::no : Answer::unknown;
+      acb_div(value.get(), parameters[2 * group].get(), parameters[2 * group + 1].get(), bits);
+      for (const bool lower : {true, false}) {
+        const Rational& border = lower ? region.sides[group].lower : region.sides[group].upper;
+        bridge::RealBall end(border, bits);
+        ComplexBall distance = value;
+        arb_sub(distance.real(), distance.real(), end.get(), bits);
+        if (!lower) arb_neg(distance.real(), distance.real());
+        require(distance, group, border);
+      }
+    }
+    return result;
+  }
+
+  void add_contained_curve() {
+    Overlap overlap = whole_curve(curve_, options_);
+    if (surface_.piece.region) {
+      overlap.certified = false;
+      result_.status = Status::numeric;
+      result_.warnings.emplace_back(
+          "the curve lies in the surface; which part of it lies in the patch was not computed");
+    }
+    result_.overlap.push_back(overlap);
+  }
+
+  /// Beyond this, what cannot be told from a larger kernel or a base point is taken for one.
+  static constexpr long largest_precision = 1500;
+
+  const CurvePiece& curve_;
+  PreparedSurface& surface_;
+  const Options& options_;
+  const Context& context_;
+  CurveResult& result_;
+  std::map<std::pair<std::size_t, std::string>, ParameterForm> borders_;
+};
+
+}  // namespace
+
+CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Options& options,
+                                    const Context& context) {
+  symbolic::install_flint_error_handler();
+  const auto start = std::chrono::steady_clock::now();
+  CurveResult result;
+  result.problem = "curve_surface";
+  result.status = Status::certified;
+  for (const CurvePiece& piece : problem.curve.pieces) {
+    if (piece.map.dimension() != 3) throw InvalidInput("the curve lies in a plane", "a curve in space");
+    if (piece.map.degree() < 1) throw InvalidInput("the curve is a single point", "a map that is not constant");
+  }
+  if (const auto* implicit = std::get_if<ImplicitSurface>(&problem.surface)) {
+    const Polynomial& equation = implicit->equation;
+    if (equation.is_constant()) throw InvalidInput("the equation of the surface is constant", "a surface");
+    for (const CurvePiece& piece : problem.curve.pieces) {
+      const UnivariatePolynomial condition = substitute(piece.map, equation);
+      result.engine.method = "exact";
+      if (condition.is_zero())
+        result.overlap.push_back(whole_curve(piece, options));
+      else
+        add_condition_roots(
+            piece, {condition, equation.total_degree() * piece.map.degree() - condition.degree()}, 1,
+            real_only(options, piece.domain.has_value()), options, context,
+            [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result);
+    }
+  } else {
+    for (const SurfacePiece& surface : std::get<ParametricSurface>(problem.surface).pieces) {
+      PreparedSurface prepared(surface, options.seed);
+      for (const CurvePiece& curve : problem.curve.pieces) PiecePair(curve, prepared, options, context, result).run();
+    }
+  }
+  finish(options, result);
+  result.seconds.emplace_back("total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return result;
+}
+
+}  // namespace eliminant::intersect

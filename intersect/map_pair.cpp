@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/map_pair.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/curve_presentation.hpp>
+#include <eliminant/intersect/parameter_roots.hpp>
+#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/presentation.hpp>
+#include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
+#include <eliminant/symbolic/elimination/common_component.hpp>
+#include <eliminant/symbolic/elimination/factors.hpp>
+#include <eliminant/symbolic/elimination/resultant.hpp>
+#include <eliminant/symbolic/matrices/moving_lines.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using symbolic::Integer;
+using symbolic::Interval;
+using symbolic::Polynomial;
+using symbolic::Rational;
+using symbolic::RationalCurve;
+using symbolic::UnivariatePolynomial;
+
+/// The sum of line_k(t) curve_k(u).
+Polynomial incidence(const symbolic::MovingLine& line, const RationalCurve& curve) {
+  std::vector<Polynomial::Term> terms;
+  for (std::size_t k = 0; k < line.size(); ++k)
+    for (long i = 0; i <= line[k].degree(); ++i)
+      for (long j = 0; j <= curve.coordinates()[k].degree(); ++j)
+        terms.push_back({Rational(line[k].coefficient(i) * curve.coordinates()[k].coefficient(j)),
+                         {static_cast<unsigned long>(i), static_cast<unsigned long>(j)}});
+  return Polynomial::from_terms(2, terms);
+}
+
+long degree_of(const symbolic::MovingLine& line) {
+  long degree = 0;
+  for (const UnivariatePolynomial& entry : line) degree = std::max(degree, entry.degree());
+  return degree;
+}
+
+/// One of the two equations, with its degrees on the projective lines, which may exceed the affine ones.
+struct Equation {
+  Polynomial polynomial{2};
+  std::array<long, 2> bidegree{};
+
+  /// With 1 / x in place of x for one of the variables.
+  Equation reversed(std::size_t axis) const {
+    std::vector<Polynomial::Term> terms = polynomial.terms();
+    for (Polynomial::Term& term : terms)
+      term.exponents[axis] = static_cast<unsigned long>(bidegree[axis]) - term.exponents[axis];
+    return {Polynomial::from_terms(2, terms), bidegree};
+  }
+
+  /// On the line where one of the variables is 0.
+  UnivariatePolynomial at_zero(std::size_t axis) const {
+    const symbolic::HiddenVariablePolynomial rows = symbolic::hide_variable(polynomial, 1 - axis);
+    return rows.coefficients.empty() ? UnivariatePolynomial() : rows.coefficients.front();
+  }
+};
+
+/// A pair of parameters; nullopt is infinity.
+struct Pair {
+  std::optional<ComplexBall> t;
+  std::optional<ComplexBall> u;
+  unsigned long multiplicity = 1;
+  Reality reality = Reality::undecided;
+  bool certified = false;
+  std::string reason;
+};
+
+enum class Answer { yes, no, unknown };
+
+struct Moebius;
+
+class MapPair {
+ public:
+  MapPair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second, const Options& options,
+          const Context& context)
+      : first_(first), second_(second), options_(options), context_(context) {
+    const std::vector<symbolic::MovingLine> basis = symbolic::moving_line_basis(first.map);
+    const Polynomial p = incidence(basis[0], second.map);
+    const Polynomial q = incidence(basis[1], second.map);
+    const symbolic::CommonComponent split = symbolic::split_common_component(p, q);
+    component_ = split.component;
+    const std::array<long, 2> common{component_.degree(0), component_.degree(1)};
+    const auto formal = [&](const symbolic::MovingLine& line) {
+      return std::array<long, 2>{degree_of(line) - common[0], second.map.degree() - common[1]};
+    };
+    equations_ = {Equation{split.first, formal(basis[0])}, Equation{split.second, formal(basis[1])}};
+  }
+
+  MapPairResult run() {
+    const std::array<long, 2>& a = equations_[0].bidegree;
+    const std::array<long, 2>& b = equations_[1].bidegree;
+    result_.counts.expected = static_cast<unsigned long>(a[0] * b[1] + a[1] * b[0]);
+    result_.coincident = !component_.is_constant();
+    constexpr long guard_digits = 8;
+    for (long digits = options_.digits + guard_digits;; digits *= 2) {
+      context_.checkpoint("intersecting curves");
+      solve(digits);
+      if (present()) break;
+    }
+    if (result_.coincident) find_overlap();
+    return std::move(result_);
+  }
+
+ private:
+  bool real_only() const {
+    if (options_.field == Field::automatic) return first_.domain || second_.domain;
+    return options_.field == Field::real;
+  }
+
+  /// Fills pairs_ and the counts.
+  void solve(long digits) {
+    pairs_.clear();
+    result_.counts.distinct = result_.counts.with_multiplicity = 0;
+    result_.counts.real = result_.counts.undecided = 0;
+    result_.status = Status::certified;
+    result_.warnings.clear();
+    Options options = options_;
+    options.digits = digits;
+    options.certificate = false;
+    options.field = real_only() ? Field::real : Field::complex;
+    const Result finite = solve_chart(equations_, options);
+    result_.engine = finite.engine;
+    result_.warnings = finite.warnings;
+    result_.counts.with_multiplicity = finite.counts.with_multiplicity;
+    result_.counts.distinct = finite.counts.distinct;
+    result_.counts.real = finite.counts.real;
+    result_.counts.undecided = finite.counts.undecided;
+    for (const Solution& s : finite.solutions) add_pair(s, s.x.ball, s.y.ball);
+
+    // Where a parameter is infinite, which a look at the leading coefficients tells.
+    options.field = Field::complex;
+    for (const auto& [t_infinite, u_infinite] : {std::pair{true, false}, {false, true}, {true, true}}) {
+      std::array<Equation, 2> chart = equations_;
+      for (Equation& equation : chart) {
+        if (t_infinite) equation = equation.reversed(0);
+        if (u_infinite) equation = equation.reversed(1);
+      }
+      const bool possible =
+          t_infinite && u_infinite
+              ? chart[0].polynomial.constant_term().is_zero() && chart[1].polynomial.constant_term().is_zero()
+              : symbolic::gcd(chart[0].at_zero(t_infinite ? 0 : 1), chart[1].at_zero(t_infinite ? 0 : 1)).degree() > 0;
+      if (!possible) continue;
+      for (const Solution& s : solve_chart(chart, options).solutions) {
+        const auto at_infinity = [](const Coordinate& c) { return c.exact && c.exact->is_zero(); };
+        if ((t_infinite && !at_infinity(s.x)) || (u_infinite && !at_infinity(s.y))) continue;
+        result_.counts.with_multiplicity += s.multiplicity;
+        ++result_.counts.distinct;
+        if (s.reality == Reality::real) ++result_.counts.real;
+        if (s.reality == Reality::undecided) ++result_.counts.undecided;
+        if (real_only() && s.reality != Reality::real) continue;
+        add_pair(s, t_infinite ? std::nullopt : std::optional(s.x.ball),
+                 u_infinite ? std::nullopt : std::optional(s.y.ball));
+      }
+    }
+    if (result_.counts.with_multiplicity != result_.counts.expected) result_.status = Status::numeric;
+  }
+
+  Result solve_chart(const std::array<Equation, 2>& chart, const Options& options) {
+    PlaneCurvesProblem problem;
+    problem.p = chart[0].polynomial;
+    problem.q = chart[1].polynomial;
+    Result result = intersect_plane_curves(problem, options, context_);
+    if (result.status == Status::incomplete) throw LimitReached(*result.limit);
+    if (result.status != Status::certified) result_.status = Status::numeric;
+    return result;
+  }
+
+  void add_pair(const Solution& s, std::optional<ComplexBall> t, std::optional<ComplexBall> u) {
+    pairs_.push_back({std::move(t), std::move(u), s.multiplicity, s.reality, s.certified, s.reason});
+  }
+
+  /// Fills the solutions; false when some of them needs more digits.
+  bool present() {
+    result_.solutions.clear();
+    for (const Pair& pair : pairs_) {
+      const Answer inside = is_inside(pair);
+      if (inside == Answer::unknown) return false;
+      if (inside == Answer::no && real_only()) continue;
+      CurveSolution solution;
+      solution.multiplicity = pair.multiplicity;
+      solution.reality = pair.reality;
+      solution.certified = pair.certified;
+      solution.reason = pair.reason;
+      solution.inside = inside == Answer::yes;
+      solution.radius_exponent = -options_.digits;
+      bool enough = true;
+      const auto print = [&](const std::optional<ComplexBall>& value) -> Parameter {
+        if (!value) return std::nullopt;
+        Parameter printed = print_value(*value, options_.digits, solution.radius_exponent);
+        enough = enough && printed.has_value();
+        return printed;
+      };
+      solution.t = print(pair.t);
+      solution.u = print(pair.u);
+      enough = enough && print_common_point(pair, solution);
+      if (!enough) return false;
+      result_.solutions.push_back(std::move(solution));
+    }
+    sort_solutions(result_.solutions);
+    return true;
+  }
+
+  bool print_common_point(const Pair& pair, CurveSolution& solution) {
+    if (!pair.t || !pair.u) {
+      const RationalCurve& map = pair.t ? second_.map : first_.map;
+      std::vector<Rational> exact;
+      for (const Integer& coordinate : map.at_infinity()) exact.emplace_back(coordinate);
+      solution.point = print_exact_point(exact, options_.digits, solution.radius_exponent);
+      return true;
+    }
+    const long precision_bits = 2 * bits_for_digits(options_.digits) + acb_rel_accuracy_bits(pair.t->get());
+    std::vector<ComplexBall> coordinates;
+    for (const UnivariatePolynomial& f : first_.map.coordinates())
+      coordinates.push_back(evaluate(f, *pair.t, precision_bits));
+    auto point =
+        print_point(coordinates, options_.digits, precision_bits, solution.radius_exponent,
+                    [&](std::size_t k) { return vanishes(first_.map.coordinates()[k], *pair.t, 0) == Answer::yes; });
+    if (!point) return false;
+    solution.point = *std::move(point);
+    return true;
+  }
+
+  /// Whether g is 0 at the parameter in this ball, of which the eliminant knows that it is one of its roots.
+  Answer vanishes(const UnivariatePolynomial& g, const ComplexBall& at, std::size_t axis) {
+    const long precision_bits = acb_rel_accuracy_bits(at.get()) + 128;
+    if (acb_contains_zero(evaluate(g, at, precision_bits).get()) == 0) return Answer::no;
+    const UnivariatePolynomial& all = eliminant(axis);
+    const UnivariatePolynomial common = symbolic::gcd(all, g);
+    if (common.degree() < 1) return Answer::no;
+    UnivariatePolynomial rest;
+    fmpz_poly_div(rest.get(), all.get(), common.get());
+    if (acb_contains_zero(evaluate(rest, at, precision_bits).get()) == 0) return Answer::yes;
+    if (acb_contains_zero(evaluate(common, at, precision_bits).get()) == 0) return Answer::no;
+    return Answer::unknown;
+  }
+
+  /// The squarefree polynomial of all finite t (axis 0) or u (axis 1) of the solutions.
+  const UnivariatePolynomial& eliminant(std::size_t axis) {
+    std::optional<UnivariatePolynomial>& known = eliminants_[axis];
+    if (!known) {
+      const UnivariatePolynomial all =
+          symbolic::resultant(symbolic::hide_variable(equations_[0].polynomial, axis),
+                              symbolic::hide_variable(equations_[1].polynomial, axis), options_.seed, context_);
+      UnivariatePolynomial product({Integer(1)});
+      for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(all))
+        product = product * part.factor;
+      known = product;
+    }
+    return *known;
+  }
+
+  Answer is_inside(const Pair& pair) {
+    if (pair.reality != Reality::real) return Answer::no;
+    const Answer first = is_within(pair.t, first_.domain, 0);
+    const Answer second = is_within(pair.u, second_.domain, 1);
+    if (first == Answer::no || second == Answer::no) return Answer::no;
+    return first == Answer::yes && second == Answer::yes ? Answer::yes : Answer::unknown;
+  }
+
+  Answer is_within(const std::optional<ComplexBall>& value, const std::optional<Interval>& domain, std::size_t axis) {
+    if (!domain) return Answer::yes;
+    if (!value) return Answer::no;
+    for (const bool lower : {true, false}) {
+      const Rational& end = lower ? domain->lower : domain->upper;
+      UnivariatePolynomial linear;
+      fmpz_poly_set_coeff_fmpz(linear.get(), 1, fmpq_denref(end.get()));
+      fmpz_poly_set_coeff_fmpz(linear.get(), 0, (-end.numerator()).get());
+      const long precision_bits = acb_rel_accuracy_bits(value->get()) + 128;
+      const ComplexBall difference = evaluate(linear, *value, precision_bits);
+      if (arb_is_positive(difference.real()) != 0) {
+        if (!lower) return Answer::no;
+      } else if (arb_is_negative(difference.real()) != 0) {
+        if (lower) return Answer::no;
+      } else if (vanishes(linear, *value, axis) != Answer::yes) {
+        return Answer::unknown;
+      }
+    }
+    return Answer::yes;
+  }
+
+  void find_overlap();
+  void add_overlap(const Moebius& map);
+  void add_arc(const Moebius& map, const Rational& lower, const Rational& upper);
+
+  const symbolic::CurvePiece& first_;
+  const symbolic::CurvePiece& second_;
+  const Options& options_;
+  const Context& context_;
+  Polynomial component_{2};
+  std::array<Equation, 2> equations_;
+  std::array<std::optional<UnivariatePolynomial>, 2> eliminants_;
+  std::vector<Pair> pairs_;
+  MapPairResult result_;
+};
+
+/// A point of the real projective line; nullopt is infinity.
+using Point = std::optional<Rational>;
+
+/// u = (a t + b) / (c t + d), of determinant not 0.
+struct Moebius {
+  Rational a, b, c, d;
+
+  Point operator()(const Point& t) const {
+    const Rational numerator = t ? a * *t + b : a;
+    const Rational denominator = t ? c * *t + d : c;
+    if (denominator.is_zero()) return std::nullopt;
+    return numerator / denominator;
+  }
+  Moebius inverse() const { return {d, -b, -c, a}; }
+  bool increasing() const { return b * c < a * d; }
+};
+
+Parameter printed(const Point& point, long digits) {
+  if (!point) return std::nullopt;
+  long radius_exponent = 0;
+  for (long precision_bits = 2 * bits_for_digits(digits);; precision_bits *= 2) {
+    ComplexBall ball;
+    arb_set_fmpq(ball.real(), point->get(), precision_bits);
+    if (Parameter parameter = print_value(ball, digits, radius_exponent)) {
+      parameter->exact = *point;
+      return parameter;
+    }
+  }
+}
+
+void MapPair::find_overlap() {
+  for (const Polynomial& factor : symbolic::irreducible_factors(component_)) {
+    if (factor.degree(0) != 1 || factor.degree(1) != 1) {
+      // A correspondence that is not one to one: some of its real points may lie in the domains.
+      if (factor.degree(0) == 0 || factor.degree(1) == 0) continue;
+      Overlap overlap;
+      if (first_.domain || second_.domain) {
+        result_.warnings.emplace_back(
+            "the curves coincide, with several parameters for one point: where within the domains is not known");
+        result_.status = Status::numeric;
+      } else {
+        overlap.certified = true;
+      }
+      result_.overlap.push_back(overlap);
+      continue;
+    }
+    // a t + b - u (c t + d)
+    Moebius map;
+    for (const Polynomial::Term& term : factor.terms()) {
+      Rational& entry =
+          term.exponents[1] == 0 ? (term.exponents[0] == 0 ? map.b : map.a) : (term.exponents[0] == 0 ? map.d : map.c);
+      entry = term.exponents[1] == 0 ? term.coefficient : -term.coefficient;
+    }
+    add_overlap(map);
+  }
+}
+
+/// u = map(t): the t of the first domain whose u lies in the second one.
+void MapPair::add_overlap(const Moebius& map) {
+  const auto image = [&](const Moebius& of, const Interval& domain) {
+    Point from = of(domain.lower);
+    Point to = of(domain.upper);
+    if (!of.increasing()) std::swap(from, to);
+    return ParameterInterval{printed(from, options_.digits), printed(to, options_.digits)};
+  };
+  const auto exactly = [&](const Interval& domain) {
+    return ParameterInterval{printed(domain.lower, options_.digits), printed(domain.upper, options_.digits)};
+  };
+  if (!first_.domain || !second_.domain) {
+    Overlap overlap;
+    overlap.certified = true;
+    if (first_.domain) overlap.u = image(map, *first_.domain);
+    if (first_.domain) overlap.t = exactly(*first_.domain);
+    if (second_.domain) overlap.t = image(map.inverse(), *second_.domain);
+    if (second_.domain) overlap.u = exactly(*second_.domain);
+    result_.overlap.push_back(overlap);
+    return;
+  }
+  // The second domain seen from t: from one point upwards to another one, perhaps through infinity.
+  Point from = map.inverse()(second_.domain->lower);
+  Point to = map.inverse()(second_.domain->upper);
+  if (!map.increasing()) std::swap(from, to);
+  const Rational& lower = first_.domain->lower;
+  const Rational& upper = first_.domain->upper;
+  const auto larger = [](const Rational& a, const Rational& b) { return a < b ? b : a; };
+  const auto smaller = [](const Rational& a, const Rational& b) { return a < b ? a : b; };
+  const bool through_infinity = !from || !to || (*to < *from);
+  if (!through_infinity) {
+    add_arc(map, larger(lower, *from), smaller(upper, *to));
+    return;
+  }
+  if (to) add_arc(map, lower, smaller(upper, *to));
+  if (from) add_arc(map, larger(lower, *from), upper);
+}
+
+void MapPair::add_arc(const Moebius& map, const Rational& lower, const Rational& upper) {
+  if (upper < lower) return;
+  Point u_lower = map(lower);
+  Point u_upper = map(upper);
+  if (upper == lower) {
+    // The ends touch: a point, whatever its multiplicity.
+    CurveSolution touch;
+    touch.t = printed(lower, options_.digits);
+    touch.u = printed(u_lower, options_.digits);
+    touch.radius_exponent = -options_.digits;
+    touch.point = print_exact_point(first_.map.at(lower), options_.digits, touch.radius_exponent);
+    touch.inside = true;
+    touch.reality = Reality::real;
+    touch.certified = true;
+    result_.touches.push_back(std::move(touch));
+    return;
+  }
+  if (!map.increasing()) std::swap(u_lower, u_upper);
+  Overlap overlap;
+  overlap.certified = true;
+  overlap.t = ParameterInterval{printed(lower, options_.digits), printed(upper, options_.digits)};
+  overlap.u = ParameterInterval{printed(u_lower, options_.digits), printed(u_upper, options_.digits)};
+  result_.overlap.push_back(overlap);
+}
+
+}  // namespace
+
+MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
+                                 const Options& options, const Context& context) {
+  for (const symbolic::CurvePiece* piece : {&first, &second})
+    if (piece->map.degree() < 1) throw InvalidInput("a curve is a single point", "a map that is not constant");
+  return MapPair(first, second, options, context).run();
+}
+
+}  // namespace eliminant::intersect

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/intersect/curve_result.hpp>
+#include <eliminant/intersect/options.hpp>
+#include <eliminant/symbolic/geometry/rational_curve.hpp>
+
+namespace eliminant::intersect {
+
+/// What two maps of plane curves have in common.
+struct MapPairResult {
+  Status status = Status::numeric;  ///< certified or numeric, of the isolated solutions
+  CurveCounts counts;               ///< without `inside` and `listed`
+  std::vector<CurveSolution> solutions;
+  std::vector<Overlap> overlap;
+  /// Ends of the domains of coinciding curves that touch without an overlap of positive length.
+  std::vector<CurveSolution> touches;
+  /// The curves coincide, whether or not within their domains.
+  bool coincident = false;
+  EngineReport engine;
+  std::vector<std::string> warnings;
+};
+
+/// All pairs of parameters (t, u) with the same point of the plane.
+///
+/// The two moving lines p, q of a basis for the first curve Phi meet in Phi(t) for every t, so the pairs are the common
+/// zeros of p(t).Psi(u) and q(t).Psi(u) on the product of two projective lines, of bidegrees (mu, e) and (d - mu, e):
+/// d e of them, and the multiplicity of a pair is the intersection multiplicity of the two branches. They are solved as
+/// plane curves in up to four charts. Where the curves coincide the two equations have a common component, the
+/// correspondence of parameters.
+/// Throws InvalidInput when one of the maps is constant.
+MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
+                                 const Options& options, const Context& context);
+
+}  // namespace eliminant::intersect

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/surface_preimages.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+
+#include <eliminant/symbolic/elimination/prime_field.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using symbolic::Integer;
+using Exponents = std::vector<unsigned long>;
+
+double magnitude_log2(const ComplexBall& z) {
+  bridge::Magnitude magnitude;
+  acb_get_mag(magnitude.get(), z.get());
+  return mag_get_d_log2_approx(magnitude.get());
+}
+
+std::complex<double> rounded(const ComplexBall& z) {
+  return {arf_get_d(arb_midref(z.real()), ARF_RND_NEAR), arf_get_d(arb_midref(z.imaginary()), ARF_RND_NEAR)};
+}
+
+/// (i, j) -> (i, m - i, j, n - j)
+Exponents homogeneous(const Exponents& exponents, std::array<unsigned long, 2> degrees) {
+  return {exponents[0], degrees[0] - exponents[0], exponents[1], degrees[1] - exponents[1]};
+}
+
+/// Elimination with complete pivoting, as far as pivots are surely not zero.
+class KernelElimination {
+ public:
+  KernelElimination(std::vector<std::vector<ComplexBall>> rows, long precision_bits)
+      : rows_(std::move(rows)), precision_bits_(precision_bits) {
+    const std::size_t columns = rows_.front().size();
+    for (std::size_t j = 0; j < columns; ++j) order_.push_back(j);
+    while (rank_ < std::min(rows_.size(), columns) && pivot()) eliminate();
+  }
+
+  std::size_t rank() const { return rank_; }
+
+  /// A basis of the kernel, if the rank is what was found: one vector for each column without a pivot.
+  std::vector<std::vector<ComplexBall>> kernel() const {
+    std::vector<std::vector<ComplexBall>> basis;
+    for (std::size_t free = rank_; free < order_.size(); ++free) {
+      std::vector<ComplexBall> vector(order_.size());
+      acb_one(vector[order_[free]].get());
+      for (std::size_t i = rank_; i-- > 0;) {
+        ComplexBall sum = rows_[i][order_[free]];
+        for (std::size_t j = i + 1; j < rank_; ++j)
+          acb_addmul(sum.get(), rows_[i][order_[j]].get(), vector[order_[j]].get(), precision_bits_);
+        acb_div(sum.get(), sum.get(), rows_[i][order_[i]].get(), precision_bits_);
+        acb_neg(vector[order_[i]].get(), sum.get());
+      }
+      basis.push_back(std::move(vector));
+    }
+    return basis;
+  }
+
+ private:
+  /// Brings the largest entry left to the next place of the diagonal; false when all may be zero.
+  bool pivot() {
+    double largest = -INFINITY;
+    std::size_t row = 0;
+    std::size_t column = 0;
+    for (std::size_t i = rank_; i < rows_.size(); ++i)
+      for (std::size_t j = rank_; j < order_.size(); ++j) {
+        const ComplexBall& entry = rows_[i][order_[j]];
+        if (acb_contains_zero(entry.get()) != 0) continue;
+        const double size = magnitude_log2(entry);
+        if (size <= largest) continue;
+        largest = size;
+        row = i;
+        column = j;
+      }
+    if (largest == -INFINITY) return false;
+    std::swap(rows_[rank_], rows_[row]);
+    std::swap(order_[rank_], order_[column]);
+    return true;
+  }
+
+  void eliminate() {
+    const std::size_t k = rank_++;
+    ComplexBall factor;
+    for (std::size_t i = k + 1; i < rows_.size(); ++i) {
+      if (acb_is_zero(rows_[i][order_[k]].get()) != 0) continue;
+      acb_div(factor.get(), rows_[i][order_[k]].get(), rows_[k][order_[k]].get(), precision_bits_);
+      for (std::size_t j = k + 1; j < order_.size(); ++j)
+        acb_submul(rows_[i][order_[j]].get(), factor.get(), rows_[k][order_[j]].get(), precision_bits_);
+      acb_zero(rows_[i][order_[k]].get());
+    }
+  }
+
+  std::vector<std::vector<ComplexBall>> rows_;
+  std::vector<std::size_t> order_;
+  std::size_t rank_ = 0;
+  long precision_bits_;
+};
+
+}  // namespace
+
+SurfaceInversion::SurfaceInversion(const symbolic::RationalSurface& surface, const symbolic::MatrixRepresentation& m)
+    : tensor_(surface.kind() == symbolic::RationalSurface::Kind::tensor_product), m_(m) {
+  for (const symbolic::Polynomial& f : surface.coordinates()) {
+    std::vector<Term>& terms = coordinates_.emplace_back();
+    for (const symbolic::Polynomial::Term& term : f.terms()) {
+      Exponents exponents = term.exponents;
+      if (tensor_)
+        exponents = homogeneous(exponents, {static_cast<unsigned long>(surface.bidegree()[0]),
+                                            static_cast<unsigned long>(surface.bidegree()[1])});
+      terms.push_back({term.coefficient.numerator(), exponents});
+    }
+  }
+  rows_ = m.row_monomials;
+  if (!tensor_) return;
+  std::array<unsigned long, 2> degrees{0, 0};
+  for (const Exponents& row : rows_)
+    for (std::size_t k = 0; k < 2; ++k) degrees[k] = std::max(degrees[k], row[k]);
+  for (Exponents& row : rows_) row = homogeneous(row, degrees);
+}
+
+std::vector<std::vector<std::size_t>> SurfaceInversion::groups() const {
+  return tensor_ ? std::vector<std::vector<std::size_t>>{{0, 1}, {2, 3}}
+                 : std::vector<std::vector<std::size_t>>{{0, 1, 2}};
+}
+
+ComplexBall SurfaceInversion::value(const std::vector<Term>& terms, const HomogeneousParameters& parameters,
+                                    std::optional<std::size_t> by, long precision_bits) const {
+  std::vector<std::vector<ComplexBall>> powers(parameters.size());
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    unsigned long highest = 0;
+    for (const Term& term : terms) highest = std::max(highest, term.exponents[k]);
+    acb_one(powers[k].emplace_back().get());
+    for (unsigned long e = 1; e <= highest; ++e) {
+      ComplexBall next;
+      acb_mul(next.get(), powers[k].back().get(), parameters[k].get(), precision_bits);
+      powers[k].push_back(std::move(next));
+    }
+  }
+  ComplexBall sum;
+  ComplexBall product;
+  for (const Term& term : terms) {
+    if (by && term.exponents[*by] == 0) continue;
+    acb_set_fmpz(product.get(), term.coefficient.get());
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      unsigned long exponent = term.exponents[k];
+      if (by && *by == k) acb_mul_ui(product.get(), product.get(), exponent--, precision_bits);
+      acb_mul(product.get(), product.get(), powers[k][exponent].get(), precision_bits);
+    }
+    acb_add(sum.get(), sum.get(), product.get(), precision_bits);
+  }
+  return sum;
+}
+
+std::vector<ComplexBall> SurfaceInversion::point_at(const HomogeneousParameters& parameters,
+                                                    long precision_bits) const {
+  std::vector<ComplexBall> point;
+  for (const std::vector<Term>& terms : coordinates_)
+    point.push_back(value(terms, parameters, std::nullopt, precision_bits));
+  return point;
+}
+
+std::vector<ComplexBall> SurfaceInversion::derivative_at(const HomogeneousParameters& parameters, std::size_t by,
+                                                         long precision_bits) const {
+  std::vector<ComplexBall> derivative;
+  for (const std::vector<Term>& terms : coordinates_)
+    derivative.push_back(value(terms, parameters, by, precision_bits));
+  return derivative;
+}
+
+std::optional<Preimages> SurfaceInversion::preimages(const std::vector<ComplexBall>& point, long largest_dimension,
+                                                     long precision_bits) const {
+  std::vector<std::vector<ComplexBall>> transposed(static_cast<std::size_t>(m_.columns()),
+                                                   std::vector<ComplexBall>(static_cast<std::size_t>(m_.rows())));
+  for (long i = 0; i < m_.rows(); ++i)
+    for (long j = 0; j < m_.columns(); ++j)
+      for (std::size_t k = 0; k < 4; ++k)
+        acb_addmul_fmpz(transposed[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)].get(), point[k].get(),
+                        m_.coefficients[k].entry(i, j), precision_bits);
+  const KernelElimination elimination(std::move(transposed), precision_bits);
+  Preimages result;
+  result.kernel_dimension = m_.rows() - static_cast<long>(elimination.rank());
+  if (result.kernel_dimension > largest_dimension) return std::nullopt;
+  // A point of the surface has a kernel.
+  if (result.kernel_dimension < 1) return result;
+  const std::vector<std::vector<ComplexBall>> kernel = elimination.kernel();
+  if (result.kernel_dimension > 1) {
+    result.parameters = separate(kernel);
+    return result;
+  }
+  std::optional<HomogeneousParameters> parameters = read(kernel.front(), precision_bits);
+  if (!parameters) return std::nullopt;
+  result.parameters.push_back(*std::move(parameters));
+  result.proven = true;
+  return result;
+}
+
+/// Ratios of the value of the largest monomial to those that differ from it in one group by one step.
+std::optional<HomogeneousParameters> SurfaceInversion::read(const std::vector<ComplexBall>& kernel,
+                                                            long precision_bits) const {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < kernel.size(); ++i)
+    if (magnitude_log2(kernel[i]) > magnitude_log2(kernel[largest])) largest = i;
+  if (acb_contains_zero(kernel[largest].get()) != 0) return std::nullopt;
+  std::map<Exponents, std::size_t> position;
+  for (std::size_t i = 0; i < rows_.size(); ++i) position[rows_[i]] = i;
+  HomogeneousParameters parameters(rows_.front().size());
+  for (const std::vector<std::size_t>& group : groups()) {
+    // The largest parameter of the group is one that the largest monomial contains, or stands beside.
+    std::size_t base = group.front();
+    for (const std::size_t k : group)
+      if (rows_[largest][k] > rows_[largest][base]) base = k;
+    if (rows_[largest][base] == 0) return std::nullopt;
+    acb_one(parameters[base].get());
+    for (const std::size_t k : group) {
+      if (k == base) continue;
+      Exponents neighbour = rows_[largest];
+      --neighbour[base];
+      ++neighbour[k];
+      acb_div(parameters[k].get(), kernel[position.at(neighbour)].get(), kernel[largest].get(), precision_bits);
+    }
+  }
+  return parameters;
+}
+
+/// Several parameters of one point: the kernel is spanned by the values of the monomials at each of them, so that the
+/// multiplication by a parameter becomes a matrix with these values as eigenvectors ([ManochaDemmel1995]).
+std::vector<HomogeneousParameters> SurfaceInversion::separate(
+    const std::vector<std::vector<ComplexBall>>& kernel) const {
+  using Matrix = Eigen::MatrixXcd;
+  const auto count = static_cast<Eigen::Index>(kernel.size());
+  std::map<Exponents, std::size_t> position;
+  for (std::size_t i = 0; i < rows_.size(); ++i) position[rows_[i]] = i;
+  Matrix k(count, static_cast<Eigen::Index>(rows_.size()));
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+      k(i, static_cast<Eigen::Index>(j)) = rounded(kernel[static_cast<std::size_t>(i)][j]);
+  Eigen::HouseholderQR<Matrix> qr(k.adjoint());
+  const Matrix orthonormal = (qr.householderQ() * Matrix::Identity(k.cols(), count)).adjoint();
+  // Two forms of degree one in each group of parameters, times the monomials of one degree less.
+  std::uint64_t drawn = 0;
+  const auto random = [&drawn] { return static_cast<double>(symbolic::mix(7, drawn++) % 2001) / 1000.0 - 1.0; };
+  struct Multiple {
+    std::size_t factor;  // an index of the monomial that was divided out
+    std::size_t row;
+  };
+  std::vector<Exponents> factors{Exponents(rows_.front().size(), 0)};
+  for (const std::vector<std::size_t>& group : groups()) {
+    unsigned long degree = 0;
+    for (const std::size_t p : group) degree += rows_.front()[p];
+    if (degree == 0) continue;
+    std::vector<Exponents> extended;
+    for (const Exponents& factor : factors)
+      for (const std::size_t p : group) {
+        extended.push_back(factor);
+        ++extended.back()[p];
+      }
+    factors = std::move(extended);
+  }
+  std::map<Exponents, std::vector<Multiple>> lower;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+      Exponents divided = rows_[i];
+      bool divisible = true;
+      for (std::size_t p = 0; p < divided.size(); ++p) {
+        divisible = divisible && divided[p] >= factors[f][p];
+        divided[p] -= factors[f][p];
+      }
+      if (divisible) lower[divided].push_back({f, i});
+    }
+  std::vector<double> numerator;
+  std::vector<double> denominator;
+  for (std::size_t f = 0; f < factors.size(); ++f) {
+    numerator.push_back(random());
+    denominator.push_back(random());
+  }
+  Matrix above = Matrix::Zero(count, count);
+  Matrix below = Matrix::Zero(count, count);
+  for (const auto& [exponents, multiples] : lower) {
+    Eigen::VectorXcd up = Eigen::VectorXcd::Zero(count);
+    Eigen::VectorXcd down = Eigen::VectorXcd::Zero(count);
+    for (const Multiple& multiple : multiples) {
+      up += numerator[multiple.factor] * orthonormal.col(static_cast<Eigen::Index>(multiple.row));
+      down += denominator[multiple.factor] * orthonormal.col(static_cast<Eigen::Index>(multiple.row));
+    }
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const double weight = random();
+      above.col(j) += weight * up;
+      below.col(j) += weight * down;
+    }
+  }
+  // Left eigenvectors: y^T above = lambda y^T below.
+  const Matrix quotient = below.transpose().fullPivLu().solve(above.transpose());
+  if (!quotient.allFinite()) return {};
+  const Eigen::ComplexEigenSolver<Matrix> eigen(quotient);
+  if (eigen.info() != Eigen::Success) return {};
+  std::vector<HomogeneousParameters> result;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::RowVectorXcd values = eigen.eigenvectors().col(i).transpose() * orthonormal;
+    std::vector<ComplexBall> balls;
+    for (Eigen::Index j = 0; j < values.size(); ++j) balls.emplace_back(values(j).real(), values(j).imag());
+    if (std::optional<HomogeneousParameters> parameters = read(balls, 64)) result.push_back(*std::move(parameters));
+  }
+  return result;
+}
+
+}  // namespace eliminant::intersect
