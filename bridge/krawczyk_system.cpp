@@ -52,12 +52,11 @@ bool invert(const std::vector<std::vector<ComplexBall>>& jacobian, BallMatrix& i
 }  // namespace
 
 std::optional<std::vector<ComplexBall>> enclose_system_zero(const System& system, const std::vector<ComplexBall>& start,
-                                                            long precision_bits) {
+                                                            long precision_bits, int newton_steps) {
   const std::size_t n = start.size();
   std::vector<ComplexBall> z = midpoints(start);
   BallMatrix inverse(n, n);
   BallMatrix step(n, 1);
-  constexpr int newton_steps = 8;
   for (int i = 0; i < newton_steps; ++i) {
     const SystemValue at = system(z, precision_bits);
     if (!invert(at.jacobian, inverse, precision_bits)) return std::nullopt;

@@ -11,8 +11,10 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/krawczyk_system.hpp>
+#include <eliminant/intersect/common_points.hpp>
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
+#include <eliminant/intersect/patch_boxes.hpp>
 #include <eliminant/intersect/surface_preimages.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 #include <eliminant/symbolic/geometry/border_curve.hpp>
@@ -77,32 +79,43 @@ struct Inversion {
   SurfaceInversion inversion;
 };
 
-/// One piece of a surface, prepared for any number of curves.
+/// One piece of a surface, prepared for any number of curves: each engine's part when it is first asked.
 class PreparedSurface {
  public:
   PreparedSurface(const SurfacePiece& surface_piece, std::uint64_t seed)
-      : piece(surface_piece),
-        smallest_(piece.map, 1),
-        degree(symbolic::implicit_degree(piece.map, smallest_.matrix, seed)) {}
+      : piece(surface_piece), seed_(seed), ball_surface_(surface_piece.map), boxes_(surface_piece) {}
 
-  const MatrixRepresentation& matrix() const { return smallest_.matrix; }
-  const SurfaceInversion& inversion() const { return smallest_.inversion; }
+  const PatchBoxes& boxes() const { return boxes_; }
+  const bridge::BallSurface& ball_surface() const { return ball_surface_; }
+  const MatrixRepresentation& matrix() { return smallest().matrix; }
   /// For points with that many parameters.
   const SurfaceInversion& inversion_for(long parameters) {
-    if (parameters <= 1) return smallest_.inversion;
+    if (parameters <= 1) return smallest().inversion;
     auto& larger = larger_[parameters];
     if (!larger) larger = std::make_unique<Inversion>(piece.map, parameters);
     return larger->inversion;
   }
+  const symbolic::ImplicitDegree& degree() {
+    if (!degree_) degree_ = symbolic::implicit_degree(piece.map, matrix(), seed_);
+    return *degree_;
+  }
 
   const SurfacePiece& piece;
+  /// Whether the lower side in each parameter is also that of another piece.
+  std::array<bool, 2> shared{false, false};
 
  private:
-  Inversion smallest_;
-  std::map<long, std::unique_ptr<Inversion>> larger_;
+  const Inversion& smallest() {
+    if (!smallest_) smallest_ = std::make_unique<Inversion>(piece.map, 1);
+    return *smallest_;
+  }
 
- public:
-  const symbolic::ImplicitDegree degree;
+  std::uint64_t seed_;
+  bridge::BallSurface ball_surface_;
+  PatchBoxes boxes_;
+  std::unique_ptr<Inversion> smallest_;
+  std::map<long, std::unique_ptr<Inversion>> larger_;
+  std::optional<symbolic::ImplicitDegree> degree_;
 };
 
 /// One piece of the curve with one piece of the surface.
@@ -113,6 +126,29 @@ class PiecePair {
       : curve_(curve), surface_(surface), options_(options), context_(context), result_(result) {}
 
   void run() {
+    const std::size_t before = result_.solutions.size();
+    if (!solve_by_boxes()) solve_by_matrix();
+    if (surface_.piece.region) drop_solutions_of_neighbours(before);
+  }
+
+ private:
+  /// The box engine answers for real solutions within bounded domains.
+  bool solve_by_boxes() {
+    if (options_.engine != Engine::automatic && options_.engine != Engine::box) return false;
+    if (options_.field == Field::complex) return false;
+    auto solutions = surface_.boxes().solve(curve_, options_, context_);
+    if (!solutions) return false;
+    CurveCounts counts;
+    counts.distinct = counts.real = counts.with_multiplicity = static_cast<unsigned long>(solutions->size());
+    EngineReport engine;
+    engine.method = "box";
+    engine.precision_bits = 53;
+    add_part(Status::certified, counts, engine, {}, result_);
+    for (CurveSolution& solution : *solutions) result_.solutions.push_back(std::move(solution));
+    return true;
+  }
+
+  void solve_by_matrix() {
     const MatrixRepresentation& m = surface_.matrix();
     result_.engine.method = "exact";
     result_.engine.matrix = "moving planes";
@@ -125,10 +161,10 @@ class PiecePair {
       add_contained_curve();
       return;
     }
-    const long expected = surface_.degree.product * curve_.map.degree();
-    bool proven = surface_.degree.proven;
+    const long expected = surface_.degree().product * curve_.map.degree();
+    bool proven = surface_.degree().proven;
     if (condition.degree() != expected) {
-      if (auto exact = symbolic::surface_on_curve(m, surface_.degree, curve_.map, condition, options_.seed, context_))
+      if (auto exact = symbolic::surface_on_curve(m, surface_.degree(), curve_.map, condition, options_.seed, context_))
         condition = *std::move(exact);
       else
         proven = false;
@@ -136,7 +172,7 @@ class PiecePair {
     const bool real = real_only(options_, curve_.domain.has_value() || surface_.piece.region.has_value());
     const std::size_t before = result_.solutions.size();
     add_condition_roots(
-        curve_, condition, surface_.degree.map_degree, real, options_, context_,
+        curve_, condition, surface_.degree().map_degree, real, options_, context_,
         [&](CurveSolution& solution, const PointOnCurve& point) { return fill(solution, point, real); }, result_);
     if (proven) return;
     result_.status = Status::numeric;
@@ -146,7 +182,19 @@ class PiecePair {
     }
   }
 
- private:
+  /// A solution on a side that this piece shares with one before it has been reported there.
+  void drop_solutions_of_neighbours(std::size_t first) {
+    for (std::size_t i = result_.solutions.size(); i-- > first;) {
+      const CurveSolution& solution = result_.solutions[i];
+      const bool at_neighbour = std::any_of(
+          solution.surface_parameters.begin(), solution.surface_parameters.end(), [&](const std::vector<Parameter>& p) {
+            return (surface_.shared[0] && is_at(p[0], surface_.piece.region->sides[0].lower)) ||
+                   (surface_.shared[1] && is_at(p[1], surface_.piece.region->sides[1].lower));
+          });
+      if (at_neighbour) result_.solutions.erase(result_.solutions.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
   /// A curve of the surface on which one of its homogeneous parameters has a fixed ratio: the condition on t that the
   /// curve meets it.
   const ParameterForm& border_condition(std::size_t group, const std::optional<Rational>& value) {
@@ -237,9 +285,9 @@ class PiecePair {
   /// A kernel of larger dimension is believed when no precision shows a smaller one. Its parameters count when they are
   /// proven one by one.
   std::optional<Preimages> find_preimages(const PointOnCurve& point) {
-    const bool patient = point.precision_bits < largest_precision && surface_.degree.map_degree == 1;
+    const bool patient = point.precision_bits < largest_precision && surface_.degree().map_degree == 1;
     const long most = patient ? 1 : surface_.matrix().rows();
-    std::optional<Preimages> found = surface_.inversion().preimages(point.coordinates, most, point.precision_bits);
+    std::optional<Preimages> found = surface_.inversion_for(1).preimages(point.coordinates, most, point.precision_bits);
     if (!found || found->proven) return found;
     const long dimension = found->kernel_dimension;
     const SurfaceInversion& larger = surface_.inversion_for(dimension);
@@ -270,37 +318,10 @@ class PiecePair {
     for (std::size_t k = 0; k < start.size(); ++k)
       if (acb_is_one(start[k].get()) == 0 || variables_of_same_group(start, k)) variables.push_back(k);
     if (variables.size() != 2) return std::nullopt;
-    std::size_t largest = 0;
-    for (std::size_t k = 1; k < 4; ++k)
-      if (acb_contains_zero(point.coordinates[largest].get()) != 0) largest = k;
-    const auto system = [&](const std::vector<ComplexBall>& at, long precision_bits) {
-      HomogeneousParameters parameters = start;
-      for (std::size_t k = 0; k < 2; ++k) parameters[variables[k]] = at[k];
-      const std::vector<ComplexBall> on_surface = surface_.inversion().point_at(parameters, precision_bits);
-      std::array<std::vector<ComplexBall>, 2> by_parameter{
-          surface_.inversion().derivative_at(parameters, variables[0], precision_bits),
-          surface_.inversion().derivative_at(parameters, variables[1], precision_bits)};
-      std::vector<ComplexBall> on_curve;
-      std::vector<ComplexBall> tangent;
-      for (const UnivariatePolynomial& f : curve_.map.coordinates()) {
-        on_curve.push_back(evaluate(f, at[2], precision_bits));
-        tangent.push_back(evaluate(f.derivative(), at[2], precision_bits));
-      }
-      const auto bracket = [&](const std::vector<ComplexBall>& a, const std::vector<ComplexBall>& b, std::size_t j) {
-        ComplexBall value;
-        acb_mul(value.get(), a[j].get(), b[largest].get(), precision_bits);
-        acb_submul(value.get(), a[largest].get(), b[j].get(), precision_bits);
-        return value;
-      };
-      bridge::SystemValue value;
-      for (std::size_t j = 0; j < 4; ++j) {
-        if (j == largest) continue;
-        value.values.push_back(bracket(on_surface, on_curve, j));
-        value.jacobian.push_back({bracket(by_parameter[0], on_curve, j), bracket(by_parameter[1], on_curve, j),
-                                  bracket(on_surface, tangent, j)});
-      }
-      return value;
-    };
+    std::size_t pivot = 0;
+    while (pivot < 3 && acb_contains_zero(point.coordinates[pivot].get()) != 0) ++pivot;
+    const bridge::System system =
+        common_point_system(surface_.ball_surface(), curve_.map, start, {variables[0], variables[1]}, pivot);
     // A start in the real plane makes a box that is its own mirror image.
     std::vector<ComplexBall> from{start[variables[0]], start[variables[1]], point.roots->ball(point.index)};
     bool start_real = point.real;
@@ -324,7 +345,7 @@ class PiecePair {
 
   /// One of several exact ones of a group is only normalised, not the others.
   bool variables_of_same_group(const HomogeneousParameters& parameters, std::size_t k) const {
-    for (const std::vector<std::size_t>& group : surface_.inversion().groups()) {
+    for (const std::vector<std::size_t>& group : surface_.ball_surface().groups()) {
       if (std::find(group.begin(), group.end(), k) == group.end()) continue;
       for (const std::size_t other : group)
         if (acb_is_one(parameters[other].get()) != 0) return other != k;
@@ -334,7 +355,7 @@ class PiecePair {
 
   /// At a base point all coordinates vanish; at parameters of a point they do not.
   bool is_base_point(const HomogeneousParameters& parameters, const PointOnCurve& point) const {
-    const std::vector<ComplexBall> image = surface_.inversion().point_at(parameters, point.precision_bits);
+    const std::vector<ComplexBall> image = surface_.ball_surface().point_at(parameters, point.precision_bits);
     return std::all_of(image.begin(), image.end(),
                        [](const ComplexBall& z) { return acb_contains_zero(z.get()) != 0; });
   }
@@ -358,7 +379,7 @@ class PiecePair {
       }
       if (acb_contains_zero(numerator.get()) != 0 && on_border(point, group, Rational(0))) acb_zero(numerator.get());
       acb_div(numerator.get(), numerator.get(), denominator.get(), point.precision_bits);
-      if (point.real && surface_.degree.map_degree == 1) arb_zero(numerator.imaginary());
+      if (point.real && surface_.degree().map_degree == 1) arb_zero(numerator.imaginary());
       Parameter printed = print_value(numerator, options_.digits, radius_exponent);
       if (!printed) return std::nullopt;
       result.push_back(std::move(printed));
@@ -431,6 +452,23 @@ class PiecePair {
   std::map<std::pair<std::size_t, std::string>, ParameterForm> borders_;
 };
 
+/// True when `after` continues `before` across its lower side in one parameter, with the same points there.
+bool continues(const SurfacePiece& before, const SurfacePiece& after, std::size_t axis) {
+  if (!before.region || !after.region || before.region->triangle || after.region->triangle) return false;
+  const auto& first = before.region->sides;
+  const auto& second = after.region->sides;
+  if (!(first[axis].upper == second[axis].lower) || !(first[1 - axis] == second[1 - axis])) return false;
+  const auto a = symbolic::border_curve(before.map, axis, second[axis].lower);
+  const auto b = symbolic::border_curve(after.map, axis, second[axis].lower);
+  if (!a || !b) return false;
+  const auto& f = a->coordinates();
+  const auto& g = b->coordinates();
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (!(f[i] * g[j] == f[j] * g[i])) return false;
+  return true;
+}
+
 }  // namespace
 
 CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Options& options,
@@ -459,9 +497,21 @@ CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Op
             [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result);
     }
   } else {
-    for (const SurfacePiece& surface : std::get<ParametricSurface>(problem.surface).pieces) {
+    const std::vector<SurfacePiece>& pieces = std::get<ParametricSurface>(problem.surface).pieces;
+    for (const SurfacePiece& surface : pieces) {
       PreparedSurface prepared(surface, options.seed);
-      for (const CurvePiece& curve : problem.curve.pieces) PiecePair(curve, prepared, options, context, result).run();
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        prepared.shared[axis] = std::any_of(pieces.begin(), pieces.end(),
+                                            [&](const SurfacePiece& other) { return continues(other, surface, axis); });
+      for (std::size_t i = 0; i < problem.curve.pieces.size(); ++i) {
+        const CurvePiece& curve = problem.curve.pieces[i];
+        const std::size_t before = result.solutions.size();
+        PiecePair(curve, prepared, options, context, result).run();
+        if (i == 0 || !joined(problem.curve.pieces[i - 1], curve)) continue;
+        for (std::size_t k = result.solutions.size(); k-- > before;)
+          if (is_at(result.solutions[k].t, curve.domain->lower))
+            result.solutions.erase(result.solutions.begin() + static_cast<std::ptrdiff_t>(k));
+      }
     }
   }
   finish(options, result);

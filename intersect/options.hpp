@@ -6,7 +6,8 @@
 
 namespace eliminant::intersect {
 
-enum class Engine { automatic, pencil, exact };
+/// box: subdivision of bounded curves and patches, and the matrix engines for what it cannot decide.
+enum class Engine { automatic, pencil, exact, box };
 /// Which matrix the pencil is built from: those of the paper, or the hybrid Bezout matrix of the graded pencil, which
 /// needs curves that do not meet at infinity and double precision; automatic takes it where it can.
 enum class ResultantMatrix { automatic, sylvester, bezout, hybrid };

@@ -63,6 +63,8 @@ void check(const PlaneCurvesProblem& problem, const Options& options) {
       throw InvalidInput(
           "a plane curve was given by a polynomial in " + std::to_string(curve->variable_count()) + " variables",
           "two variables");
+  if (options.engine == Engine::box)
+    throw InvalidInput("the engine box is for curves and patches with bounded domains", "auto, pencil or exact");
   if (options.digits < 1 || options.digits > 100000)
     throw InvalidInput("digits is " + std::to_string(options.digits), "a number from 1 to 100000");
   constexpr std::array<int, 6> precisions{0, 53, 128, 256, 512, 1024};

@@ -14,7 +14,6 @@ namespace eliminant::intersect {
 namespace {
 
 using bridge::ComplexBall;
-using symbolic::Integer;
 using Exponents = std::vector<unsigned long>;
 
 double magnitude_log2(const ComplexBall& z) {
@@ -105,72 +104,12 @@ class KernelElimination {
 }  // namespace
 
 SurfaceInversion::SurfaceInversion(const symbolic::RationalSurface& surface, const symbolic::MatrixRepresentation& m)
-    : tensor_(surface.kind() == symbolic::RationalSurface::Kind::tensor_product), m_(m) {
-  for (const symbolic::Polynomial& f : surface.coordinates()) {
-    std::vector<Term>& terms = coordinates_.emplace_back();
-    for (const symbolic::Polynomial::Term& term : f.terms()) {
-      Exponents exponents = term.exponents;
-      if (tensor_)
-        exponents = homogeneous(exponents, {static_cast<unsigned long>(surface.bidegree()[0]),
-                                            static_cast<unsigned long>(surface.bidegree()[1])});
-      terms.push_back({term.coefficient.numerator(), exponents});
-    }
-  }
-  rows_ = m.row_monomials;
-  if (!tensor_) return;
+    : surface_(surface), m_(m), rows_(m.row_monomials) {
+  if (!surface_.is_tensor_product()) return;
   std::array<unsigned long, 2> degrees{0, 0};
   for (const Exponents& row : rows_)
     for (std::size_t k = 0; k < 2; ++k) degrees[k] = std::max(degrees[k], row[k]);
   for (Exponents& row : rows_) row = homogeneous(row, degrees);
-}
-
-std::vector<std::vector<std::size_t>> SurfaceInversion::groups() const {
-  return tensor_ ? std::vector<std::vector<std::size_t>>{{0, 1}, {2, 3}}
-                 : std::vector<std::vector<std::size_t>>{{0, 1, 2}};
-}
-
-ComplexBall SurfaceInversion::value(const std::vector<Term>& terms, const HomogeneousParameters& parameters,
-                                    std::optional<std::size_t> by, long precision_bits) const {
-  std::vector<std::vector<ComplexBall>> powers(parameters.size());
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    unsigned long highest = 0;
-    for (const Term& term : terms) highest = std::max(highest, term.exponents[k]);
-    acb_one(powers[k].emplace_back().get());
-    for (unsigned long e = 1; e <= highest; ++e) {
-      ComplexBall next;
-      acb_mul(next.get(), powers[k].back().get(), parameters[k].get(), precision_bits);
-      powers[k].push_back(std::move(next));
-    }
-  }
-  ComplexBall sum;
-  ComplexBall product;
-  for (const Term& term : terms) {
-    if (by && term.exponents[*by] == 0) continue;
-    acb_set_fmpz(product.get(), term.coefficient.get());
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      unsigned long exponent = term.exponents[k];
-      if (by && *by == k) acb_mul_ui(product.get(), product.get(), exponent--, precision_bits);
-      acb_mul(product.get(), product.get(), powers[k][exponent].get(), precision_bits);
-    }
-    acb_add(sum.get(), sum.get(), product.get(), precision_bits);
-  }
-  return sum;
-}
-
-std::vector<ComplexBall> SurfaceInversion::point_at(const HomogeneousParameters& parameters,
-                                                    long precision_bits) const {
-  std::vector<ComplexBall> point;
-  for (const std::vector<Term>& terms : coordinates_)
-    point.push_back(value(terms, parameters, std::nullopt, precision_bits));
-  return point;
-}
-
-std::vector<ComplexBall> SurfaceInversion::derivative_at(const HomogeneousParameters& parameters, std::size_t by,
-                                                         long precision_bits) const {
-  std::vector<ComplexBall> derivative;
-  for (const std::vector<Term>& terms : coordinates_)
-    derivative.push_back(value(terms, parameters, by, precision_bits));
-  return derivative;
 }
 
 std::optional<Preimages> SurfaceInversion::preimages(const std::vector<ComplexBall>& point, long largest_dimension,
@@ -210,7 +149,7 @@ std::optional<HomogeneousParameters> SurfaceInversion::read(const std::vector<Co
   std::map<Exponents, std::size_t> position;
   for (std::size_t i = 0; i < rows_.size(); ++i) position[rows_[i]] = i;
   HomogeneousParameters parameters(rows_.front().size());
-  for (const std::vector<std::size_t>& group : groups()) {
+  for (const std::vector<std::size_t>& group : surface_.groups()) {
     // The largest parameter of the group is one that the largest monomial contains, or stands beside.
     std::size_t base = group.front();
     for (const std::size_t k : group)
@@ -250,7 +189,7 @@ std::vector<HomogeneousParameters> SurfaceInversion::separate(
     std::size_t row;
   };
   std::vector<Exponents> factors{Exponents(rows_.front().size(), 0)};
-  for (const std::vector<std::size_t>& group : groups()) {
+  for (const std::vector<std::size_t>& group : surface_.groups()) {
     unsigned long degree = 0;
     for (const std::size_t p : group) degree += rows_.front()[p];
     if (degree == 0) continue;

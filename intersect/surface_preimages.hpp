@@ -5,16 +5,13 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
-#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/ball_surface.hpp>
 #include <eliminant/symbolic/geometry/rational_surface.hpp>
 #include <eliminant/symbolic/matrices/matrix_representation.hpp>
 
 namespace eliminant::intersect {
 
-/// Parameters of a point of a surface in homogeneous coordinates: (s1 : s0) and (t1 : t0) with s = s1 / s0, t = t1 / t0
-/// of a tensor-product surface, (s : t : u) of a triangular one. In each group one coordinate is exactly 1, one of the
-/// largest.
-using HomogeneousParameters = std::vector<bridge::ComplexBall>;
+using bridge::HomogeneousParameters;
 
 /// What the kernel of M(P) says of the parameters of a point P of the surface.
 struct Preimages {
@@ -37,28 +34,13 @@ class SurfaceInversion {
   std::optional<Preimages> preimages(const std::vector<bridge::ComplexBall>& point, long largest_dimension,
                                      long precision_bits) const;
 
-  /// The homogeneous coordinates of the surface at these parameters.
-  std::vector<bridge::ComplexBall> point_at(const HomogeneousParameters& parameters, long precision_bits) const;
-  /// Its derivatives by one of the homogeneous parameters.
-  std::vector<bridge::ComplexBall> derivative_at(const HomogeneousParameters& parameters, std::size_t by,
-                                                 long precision_bits) const;
-  /// Which homogeneous parameters belong together: two pairs, or one triple.
-  std::vector<std::vector<std::size_t>> groups() const;
+  const bridge::BallSurface& surface() const { return surface_; }
 
  private:
-  struct Term {
-    symbolic::Integer coefficient;
-    std::vector<unsigned long> exponents;  // of the homogeneous parameters
-  };
-
   std::optional<HomogeneousParameters> read(const std::vector<bridge::ComplexBall>& kernel, long precision_bits) const;
   std::vector<HomogeneousParameters> separate(const std::vector<std::vector<bridge::ComplexBall>>& kernel) const;
-  bridge::ComplexBall value(const std::vector<Term>& terms, const HomogeneousParameters& parameters,
-                            std::optional<std::size_t> by, long precision_bits) const;
-
-  bool tensor_;
+  bridge::BallSurface surface_;
   const symbolic::MatrixRepresentation& m_;
-  std::vector<std::vector<Term>> coordinates_;
   std::vector<std::vector<unsigned long>> rows_;  // exponents of the homogeneous parameters
 };
 

@@ -59,8 +59,8 @@ using intersect::ResultantMatrix;
 
 constexpr std::array<std::pair<const char*, Format>, 3> formats{
     {{"text", Format::text}, {"json", Format::json}, {"csv", Format::csv}}};
-constexpr std::array<std::pair<const char*, Engine>, 3> engines{
-    {{"auto", Engine::automatic}, {"pencil", Engine::pencil}, {"exact", Engine::exact}}};
+constexpr std::array<std::pair<const char*, Engine>, 4> engines{
+    {{"auto", Engine::automatic}, {"pencil", Engine::pencil}, {"exact", Engine::exact}, {"box", Engine::box}}};
 constexpr std::array<std::pair<const char*, ResultantMatrix>, 4> matrices{{{"auto", ResultantMatrix::automatic},
                                                                            {"sylvester", ResultantMatrix::sylvester},
                                                                            {"bezout", ResultantMatrix::bezout},
@@ -82,7 +82,6 @@ void apply(RunOptions& options, const OptionSetting& setting) {
   } else if (name == "digits") {
     solve.digits = whole_number<long>(setting, 1, 100'000);
   } else if (name == "engine") {
-    if (setting.value == "box") refuse(setting, "one of auto, pencil, exact (the box engine is for patches)");
     solve.engine = one_of(setting, engines);
   } else if (name == "matrix") {
     solve.matrix = one_of(setting, matrices);

@@ -63,6 +63,30 @@ std::vector<Rational> power_coefficients(const std::vector<Rational>& bernstein_
   return coefficients;
 }
 
+std::vector<Rational> bernstein_coefficients(const std::vector<Rational>& power_coefficients,
+                                             const Interval& interval) {
+  if (power_coefficients.empty()) throw InvalidInput("a polynomial has no coefficients", "at least one");
+  RationalUnivariate in_parameter;
+  for (std::size_t k = 0; k < power_coefficients.size(); ++k)
+    fmpq_poly_set_coeff_fmpq(in_parameter.get(), static_cast<slong>(k), power_coefficients[k].get());
+  RationalUnivariate inner;
+  fmpq_poly_set_coeff_fmpq(inner.get(), 0, interval.lower.get());
+  fmpq_poly_set_coeff_fmpq(inner.get(), 1, (interval.upper - interval.lower).get());
+  RationalUnivariate in_unit;
+  fmpq_poly_compose(in_unit.get(), in_parameter.get(), inner.get());
+  const std::size_t degree = power_coefficients.size() - 1;
+  // v^k = sum over j >= k of binomial(j, k) / binomial(degree, k) times the j-th Bernstein polynomial.
+  std::vector<Rational> result(degree + 1);
+  for (std::size_t k = 0; k <= degree; ++k) {
+    Rational coefficient;
+    fmpq_poly_get_coeff_fmpq(coefficient.get(), in_unit.get(), static_cast<slong>(k));
+    if (coefficient.is_zero()) continue;
+    for (std::size_t j = k; j <= degree; ++j)
+      result[j] = result[j] + coefficient * Rational(binomial(j, k), binomial(degree, k));
+  }
+  return result;
+}
+
 CurvePiece bezier_curve(const std::vector<ControlPoint>& points, const Interval& domain) {
   if (points.empty()) throw InvalidInput("a Bezier curve has no control points", "degree + 1 points");
   const std::size_t dimension = points.front().size();

@@ -18,6 +18,9 @@ using ControlPoint = std::vector<Rational>;
 /// Throws InvalidInput when there are none or the interval is a point.
 std::vector<Rational> power_coefficients(const std::vector<Rational>& bernstein_coefficients, const Interval& interval);
 
+/// The inverse: the coefficients in the Bernstein basis of degree n >= that of the polynomial with these coefficients.
+std::vector<Rational> bernstein_coefficients(const std::vector<Rational>& power_coefficients, const Interval& interval);
+
 /// The Bezier curve of these control points, degree + 1 of them, as a map of the parameter that runs through `domain`
 /// from the first point to the last. The degree is that of the map, which may be lower.
 /// Throws InvalidInput when there are no points, all are zero, or their numbers of coordinates differ.
