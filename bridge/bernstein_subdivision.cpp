@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace eliminant::bridge {
 
@@ -243,14 +245,84 @@ LinearTest linear_test(const Part& curve, const Part& patch) {
   return result;
 }
 
+/// The coordinates of a curve or patch at parameters of the whole, and their partial derivatives, without a bound of
+/// the error.
+struct Jet {
+  std::array<double, 4> value{};
+  std::array<std::array<double, 4>, 2> partials{};
+};
+
+Jet jet(const ControlNet& net, const std::array<double, 2>& at) {
+  Jet result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    // The values along the last parameter, and the derivative by it.
+    const std::size_t degree = net.degrees.back();
+    const std::size_t lines = net.coordinates[k].size() / (degree + 1);
+    const double last = at[net.degrees.size() - 1];
+    std::vector<double> values(lines);
+    std::vector<double> slopes(lines);
+    const auto along = [](std::vector<double> b, double t) {
+      const std::size_t n = b.size() - 1;
+      double slope = 0;
+      for (std::size_t level = n; level > 0; --level) {
+        if (level == 1) slope = static_cast<double>(n) * (b[1] - b[0]);
+        for (std::size_t i = 0; i < level; ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
+      }
+      return std::pair(b[0], slope);
+    };
+    for (std::size_t line = 0; line < lines; ++line) {
+      const auto begin = net.coordinates[k].begin() + static_cast<std::ptrdiff_t>(line * (degree + 1));
+      std::tie(values[line], slopes[line]) = along({begin, begin + static_cast<std::ptrdiff_t>(degree + 1)}, last);
+    }
+    if (net.degrees.size() == 1) {
+      result.value[k] = values[0];
+      result.partials[0][k] = slopes[0];
+    } else {
+      std::tie(result.value[k], result.partials[0][k]) = along(values, at[0]);
+      result.partials[1][k] = along(slopes, at[0]).first;
+    }
+  }
+  return result;
+}
+
+/// Newton's steps from parameters (u, s, t) in doubles; they may lead anywhere.
+std::array<double, 3> newton(const ControlNet& curve, const ControlNet& patch, std::array<double, 3> at) {
+  constexpr int most_steps = 8;
+  for (int step = 0; step < most_steps; ++step) {
+    const Jet c = jet(curve, {at[0], 0});
+    const Jet p = jet(patch, {at[1], at[2]});
+    Matrix3 jacobian;
+    std::array<double, 3> value{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto minor = [&](const std::array<double, 4>& a, const std::array<double, 4>& b) {
+        return a[k] * b[3] - a[3] * b[k];
+      };
+      value[k] = minor(p.value, c.value);
+      jacobian[k] = {minor(p.value, c.partials[0]), minor(p.partials[0], c.value), minor(p.partials[1], c.value)};
+    }
+    const std::optional<Matrix3> inverted = inverse(jacobian);
+    if (!inverted) break;
+    double largest_change = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double change = (*inverted)[i][0] * value[0] + (*inverted)[i][1] * value[1] + (*inverted)[i][2] * value[2];
+      at[i] -= change;
+      largest_change = std::max(largest_change, std::fabs(change));
+    }
+    constexpr double at_rest = 1e-13;
+    if (!(largest_change > at_rest)) break;
+  }
+  return at;
+}
+
 class Subdivision {
  public:
-  Subdivision(const CertifyNear& certify, const Context& context) : certify_(certify), context_(context) {}
+  Subdivision(const ControlNet& curve, const ControlNet& patch, const CertifyNear& certify, const Context& context)
+      : curve_(curve), patch_(patch), certify_(certify), context_(context) {}
 
   /// False when something stays undecided.
-  bool run(const ControlNet& curve_net, const ControlNet& patch_net) {
-    Part curve{curve_net, {}, {1, 1}, {}};
-    Part patch{patch_net, {}, {1, 1}, {}};
+  bool run() {
+    Part curve{curve_, {}, {1, 1}, {}};
+    Part patch{patch_, {}, {1, 1}, {}};
     if (!bound(curve) || !bound(patch)) return false;
     std::vector<std::pair<Part, Part>> open;
     open.emplace_back(std::move(curve), std::move(patch));
@@ -295,7 +367,7 @@ class Subdivision {
       return true;
     };
     if (std::any_of(zeros_.begin(), zeros_.end(), within)) return true;
-    std::optional<ParameterBox> zero = certify_(near);
+    std::optional<ParameterBox> zero = certify_(newton(curve_, patch_, near));
     if (!zero) return false;
     const bool inside = within(*zero);
     const bool known = std::any_of(zeros_.begin(), zeros_.end(), [&](const ParameterBox& other) {
@@ -332,12 +404,22 @@ class Subdivision {
     return true;
   }
 
+  const ControlNet& curve_;
+  const ControlNet& patch_;
   const CertifyNear& certify_;
   const Context& context_;
   std::vector<ParameterBox> zeros_;
 };
 
 }  // namespace
+
+std::optional<SpaceBox> box_around(const ControlNet& net) {
+  Part whole{net, {}, {1, 1}, {}};
+  if (!bound(whole)) return std::nullopt;
+  SpaceBox box;
+  for (std::size_t k = 0; k < 3; ++k) box[k] = {whole.box[k].lower, whole.box[k].upper};
+  return box;
+}
 
 std::optional<ControlNet> ControlNet::round(std::vector<std::size_t> degrees,
                                             const std::array<std::vector<symbolic::Rational>, 4>& coordinates) {
@@ -359,8 +441,8 @@ std::optional<ControlNet> ControlNet::round(std::vector<std::size_t> degrees,
 
 std::optional<std::vector<ParameterBox>> bernstein_subdivision(const ControlNet& curve, const ControlNet& patch,
                                                                const CertifyNear& certify, const Context& context) {
-  Subdivision subdivision(certify, context);
-  if (!subdivision.run(curve, patch)) return std::nullopt;
+  Subdivision subdivision(curve, patch, certify, context);
+  if (!subdivision.run()) return std::nullopt;
   return std::move(subdivision).zeros();
 }
 

@@ -27,11 +27,17 @@ struct ControlNet {
                                          const std::array<std::vector<symbolic::Rational>, 4>& coordinates);
 };
 
+/// Lower and upper ends of an interval for each coordinate of affine space.
+using SpaceBox = std::array<std::array<double, 2>, 3>;
+
+/// A box around all points of the curve or patch; nullopt when a weight may not be positive.
+std::optional<SpaceBox> box_around(const ControlNet& net);
+
 /// A box of parameters (u of the curve, s and t of the patch) that contains exactly one common point, a transversal
 /// one.
 using ParameterBox = std::array<ComplexBall, 3>;
 
-/// Tries to prove a common point near these parameters, of which nothing is known.
+/// Tries to prove a common point near these parameters (u, s, t), which Newton's steps in doubles have led to.
 using CertifyNear = std::function<std::optional<ParameterBox>(const std::array<double, 3>&)>;
 
 /// All common points of a curve and a patch within their closed parameter domains, or nullopt when some part of the

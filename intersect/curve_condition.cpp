@@ -15,18 +15,6 @@ using symbolic::CurvePiece;
 using symbolic::Rational;
 using symbolic::UnivariatePolynomial;
 
-Parameter exactly(const Rational& value, const Options& options) {
-  long radius_exponent = 0;
-  for (long precision_bits = 4 * bits_for_digits(options.digits);; precision_bits *= 2) {
-    ComplexBall ball;
-    arb_set_fmpq(ball.real(), value.get(), precision_bits);
-    if (Parameter parameter = print_value(ball, options.digits, radius_exponent)) {
-      parameter->exact = value;
-      return parameter;
-    }
-  }
-}
-
 void add_infinity(const CurvePiece& piece, unsigned long multiplicity, const Options& options, const FillSolution& fill,
                   CurveResult& result) {
   CurveSolution solution;
@@ -65,7 +53,7 @@ void add_root(const CurvePiece& piece, ParameterRoots& roots, std::size_t i, uns
     roots.refine(i, bits);
     CurveSolution solution = first;
     const Parameter t = print_value(roots.ball(i), options.digits, solution.radius_exponent);
-    PointOnCurve point{{}, &roots, i, roots.is_real(i), 2 * bits};
+    PointOnCurve point{{}, &roots, i, std::nullopt, roots.is_real(i), 2 * bits};
     for (const UnivariatePolynomial& f : piece.map.coordinates())
       point.coordinates.push_back(evaluate(f, roots.ball(i), point.precision_bits));
     auto printed = print_point(point.coordinates, options.digits, point.precision_bits, solution.radius_exponent,
@@ -81,6 +69,18 @@ void add_root(const CurvePiece& piece, ParameterRoots& roots, std::size_t i, uns
 }
 
 }  // namespace
+
+Parameter exactly(const Rational& value, const Options& options) {
+  long radius_exponent = 0;
+  for (long precision_bits = 4 * bits_for_digits(options.digits);; precision_bits *= 2) {
+    ComplexBall ball;
+    arb_set_fmpq(ball.real(), value.get(), precision_bits);
+    if (Parameter parameter = print_value(ball, options.digits, radius_exponent)) {
+      parameter->exact = value;
+      return parameter;
+    }
+  }
+}
 
 bool real_only(const Options& options, bool has_domain) {
   return options.field == Field::automatic ? has_domain : options.field == Field::real;
@@ -143,6 +143,7 @@ void add_part(Status status, const CurveCounts& counts, const EngineReport& engi
   result.counts.undecided += counts.undecided;
   result.counts.with_multiplicity += counts.with_multiplicity;
   result.counts.expected += counts.expected;
+  result.counts.within_domains_only = result.counts.within_domains_only || counts.within_domains_only;
   result.engine = engine;
   for (const std::string& warning : warnings)
     if (std::find(result.warnings.begin(), result.warnings.end(), warning) == result.warnings.end())

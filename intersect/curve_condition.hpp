@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
@@ -17,9 +18,10 @@ namespace eliminant::intersect {
 struct PointOnCurve {
   /// Homogeneous coordinates.
   std::vector<bridge::ComplexBall> coordinates;
-  /// The root, or nullptr at t = infinity.
+  /// The root; nullptr at a rational parameter, or at t = infinity where that is absent too.
   ParameterRoots* roots = nullptr;
   std::size_t index = 0;
+  std::optional<symbolic::Rational> exact_t;
   bool real = false;
   long precision_bits = 0;
 };
@@ -41,6 +43,9 @@ bool real_only(const Options& options, bool has_domain);
 void add_condition_roots(const symbolic::CurvePiece& piece, const symbolic::ParameterForm& condition, long map_degree,
                          bool real_solutions, const Options& options, const Context& context, const FillSolution& fill,
                          CurveResult& result);
+
+/// A rational parameter as it is printed, known exactly.
+Parameter exactly(const symbolic::Rational& value, const Options& options);
 
 /// The part of the curve that its domain leaves.
 Overlap whole_curve(const symbolic::CurvePiece& piece, const Options& options);

@@ -60,6 +60,8 @@ struct CurveCounts {
   /// surface (or of the other curve).
   unsigned long with_multiplicity = 0;
   unsigned long expected = 0;
+  /// The box engine answered, at least in part: it looks at the domains alone, and there is no Bezout number of them.
+  bool within_domains_only = false;
   unsigned long listed = 0;
 };
 

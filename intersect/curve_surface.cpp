@@ -15,6 +15,7 @@
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/patch_boxes.hpp>
+#include <eliminant/intersect/presentation.hpp>
 #include <eliminant/intersect/surface_preimages.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 #include <eliminant/symbolic/geometry/border_curve.hpp>
@@ -140,6 +141,7 @@ class PiecePair {
     if (!solutions) return false;
     CurveCounts counts;
     counts.distinct = counts.real = counts.with_multiplicity = static_cast<unsigned long>(solutions->size());
+    counts.within_domains_only = true;
     EngineReport engine;
     engine.method = "box";
     engine.precision_bits = 53;
@@ -233,6 +235,11 @@ class PiecePair {
   bool on_border(const PointOnCurve& point, std::size_t group, const std::optional<Rational>& value) {
     const ParameterForm& condition = border_condition(group, value);
     if (condition.finite.is_zero()) return true;
+    if (point.exact_t) {
+      Rational at;
+      fmpz_poly_evaluate_fmpq(at.get(), condition.finite.get(), point.exact_t->get());
+      return at.is_zero();
+    }
     return point.roots == nullptr ? condition.order_at_infinity > 0
                                   : point.roots->is_zero_of(point.index, condition.finite);
   }
@@ -253,7 +260,8 @@ class PiecePair {
       solution.surface_parameters.push_back(*std::move(printed));
     }
     if (!preimages->proven) {
-      if (inside == Answer::no) inside = on_collapsed_border(point) ? Answer::yes : Answer::unknown;
+      if (inside == Answer::no && !surface_.boxes().excludes(point.coordinates, point.precision_bits))
+        inside = on_collapsed_border(point) ? Answer::yes : Answer::unknown;
       warn("not all parameters of a point of the surface could be proven; those that are not are left out");
     }
     if (inside == Answer::unknown) {
@@ -430,15 +438,152 @@ class PiecePair {
     return result;
   }
 
+  /// The curve lies in the surface: in the patch it lies between parameters at which it crosses the borders.
   void add_contained_curve() {
-    Overlap overlap = whole_curve(curve_, options_);
-    if (surface_.piece.region) {
-      overlap.certified = false;
-      result_.status = Status::numeric;
-      result_.warnings.emplace_back(
-          "the curve lies in the surface; which part of it lies in the patch was not computed");
+    if (!surface_.piece.region) {
+      result_.overlap.push_back(whole_curve(curve_, options_));
+      return;
     }
-    result_.overlap.push_back(overlap);
+    UnivariatePolynomial crossings({symbolic::Integer(1)});
+    for (const auto& [group, value] : borders_of_region()) {
+      const ParameterForm& condition = border_condition(group, value);
+      if (!condition.finite.is_zero()) crossings = crossings * condition.finite;
+    }
+    if (curve_.domain)
+      for (const Rational& end : {curve_.domain->lower, curve_.domain->upper})
+        crossings = crossings * UnivariatePolynomial({-end.numerator(), end.denominator()});
+    if (crossings.degree() < 1) crossings = UnivariatePolynomial({symbolic::Integer(0), symbolic::Integer(1)});
+    UnivariatePolynomial squarefree({symbolic::Integer(1)});
+    for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(crossings))
+      squarefree = squarefree * part.factor;
+    ParameterRoots ends(squarefree, Wanted::real, context_);
+    std::vector<std::size_t> cuts;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if (!curve_.domain || (ends.compare(i, curve_.domain->lower) >= 0 && ends.compare(i, curve_.domain->upper) <= 0))
+        cuts.push_back(i);
+    if (cuts.empty()) {
+      add_stretch_if_inside(whole_curve(curve_, options_), Rational(0));
+      return;
+    }
+    // From cut to cut; what is inside on both sides of a cut is one stretch.
+    bool open = false;
+    std::size_t opened_at = 0;
+    std::vector<bool> inside_after(cuts.size(), false);
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) inside_after[k] = is_inside(between(ends, cuts[k], cuts[k + 1]));
+    bool through_infinity = false;
+    if (!curve_.domain) {
+      through_infinity = is_inside(beyond(ends, cuts.back()));
+      inside_after.back() = through_infinity;
+      if (std::all_of(inside_after.begin(), inside_after.end(), [](bool inside) { return inside; })) {
+        result_.overlap.push_back(whole_curve(curve_, options_));
+        return;
+      }
+    }
+    // Of a stretch through infinity the beginning lies behind its end.
+    if (through_infinity) {
+      std::size_t first = cuts.size() - 1;
+      while (inside_after[first - 1]) --first;
+      open = true;
+      opened_at = cuts[first];
+    }
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+      if (open && !inside_after[k]) {
+        add_stretch(ends, opened_at, cuts[k]);
+        open = false;
+      }
+      if (!open && inside_after[k]) {
+        if (through_infinity && std::all_of(inside_after.begin() + static_cast<std::ptrdiff_t>(k), inside_after.end(),
+                                            [](bool inside) { return inside; }))
+          break;
+        open = true;
+        opened_at = cuts[k];
+      }
+    }
+  }
+
+  std::vector<std::pair<std::size_t, Rational>> borders_of_region() const {
+    const symbolic::ParameterRegion& region = *surface_.piece.region;
+    if (region.triangle) return {{0, Rational(0)}, {1, Rational(0)}, {2, Rational(0)}};
+    return {
+        {0, region.sides[0].lower}, {0, region.sides[0].upper}, {1, region.sides[1].lower}, {1, region.sides[1].upper}};
+  }
+
+  /// A rational number between two roots, or above one.
+  static Rational between(ParameterRoots& roots, std::size_t lower, std::size_t upper) {
+    for (long bits = 32;; bits *= 2) {
+      roots.refine(lower, bits);
+      roots.refine(upper, bits);
+      bridge::RealBall sum;
+      arb_add(sum.get(), roots.ball(lower).real(), roots.ball(upper).real(), ARF_PREC_EXACT);
+      arb_mul_2exp_si(sum.get(), sum.get(), -1);
+      Rational middle;
+      arf_get_fmpq(middle.get(), arb_midref(sum.get()));
+      if (roots.compare(lower, middle) < 0 && roots.compare(upper, middle) > 0) return middle;
+    }
+  }
+  static Rational beyond(ParameterRoots& roots, std::size_t last) {
+    bridge::RealBall above;
+    arb_get_ubound_arf(arb_midref(above.get()), roots.ball(last).real(), 64);
+    symbolic::Integer whole;
+    arf_get_fmpz(whole.get(), arb_midref(above.get()), ARF_RND_CEIL);
+    return whole + symbolic::Integer(1);
+  }
+
+  /// Whether the point of a rational parameter, which is on no border, lies in the patch.
+  bool is_inside(const Rational& t) {
+    PointOnCurve point;
+    point.exact_t = t;
+    point.real = true;
+    for (point.precision_bits = 128;; point.precision_bits *= 2) {
+      context_.checkpoint("cutting a curve in the surface");
+      point.coordinates.clear();
+      for (const Rational& coordinate : curve_.map.at(t)) {
+        ComplexBall& ball = point.coordinates.emplace_back();
+        arb_set_fmpq(ball.real(), coordinate.get(), point.precision_bits);
+      }
+      const bool patient = point.precision_bits < largest_precision && surface_.degree().map_degree == 1;
+      const long most = patient ? 1 : surface_.matrix().rows();
+      auto found = surface_.inversion_for(1).preimages(point.coordinates, most, point.precision_bits);
+      if (!found) continue;
+      if (found->kernel_dimension > 1) {
+        found = surface_.inversion_for(found->kernel_dimension)
+                    .preimages(point.coordinates, std::numeric_limits<long>::max(), point.precision_bits);
+        overlap_certified_ = false;
+      }
+      Answer inside = Answer::no;
+      for (const HomogeneousParameters& parameters : found->parameters) {
+        const Answer within = is_within(parameters, point);
+        if (within == Answer::yes || inside != Answer::yes) inside = within;
+        if (inside == Answer::yes) break;
+      }
+      if (inside != Answer::unknown || !found->proven) return inside == Answer::yes;
+    }
+  }
+
+  void add_stretch_if_inside(Overlap overlap, const Rational& sample) {
+    const Rational t = curve_.domain ? (curve_.domain->lower + curve_.domain->upper) *
+                                           Rational(symbolic::Integer(1), symbolic::Integer(2))
+                                     : sample;
+    if (!is_inside(t)) return;
+    overlap.certified = overlap.certified && overlap_certified_;
+    result_.overlap.push_back(std::move(overlap));
+  }
+
+  void add_stretch(ParameterRoots& ends, std::size_t first, std::size_t last) {
+    ParameterInterval interval;
+    const std::array<std::size_t, 2> indices{first, last};
+    for (std::size_t k = 0; k < 2; ++k) {
+      long radius_exponent = 0;
+      for (long bits = bits_for_digits(options_.digits) + 32; !interval[k]; bits *= 2) {
+        ends.refine(indices[k], bits);
+        interval[k] = print_value(ends.ball(indices[k]), options_.digits, radius_exponent);
+      }
+    }
+    Overlap overlap;
+    overlap.t = interval;
+    overlap.certified = options_.certify && overlap_certified_;
+    if (!overlap.certified) result_.status = Status::numeric;
+    result_.overlap.push_back(std::move(overlap));
   }
 
   /// Beyond this, what cannot be told from a larger kernel or a base point is taken for one.
@@ -450,6 +595,7 @@ class PiecePair {
   const Context& context_;
   CurveResult& result_;
   std::map<std::pair<std::size_t, std::string>, ParameterForm> borders_;
+  bool overlap_certified_ = true;
 };
 
 /// True when `after` continues `before` across its lower side in one parameter, with the same points there.

@@ -69,6 +69,13 @@ ComplexBall to_unit(const ComplexBall& value, const Interval& interval, long pre
   return result;
 }
 
+/// From doubles.
+int newton_steps(long precision_bits) {
+  int steps = 1;
+  for (long reached = 90; reached < precision_bits; reached *= 2) ++steps;
+  return steps;
+}
+
 enum class Place { inside, outside, unknown };
 
 Place place_in_unit(const ComplexBall& value) {
@@ -83,6 +90,22 @@ Place place_in_unit(const ComplexBall& value) {
 PatchBoxes::PatchBoxes(const symbolic::SurfacePiece& piece)
     : piece_(piece), surface_(piece.map), net_(control_net(piece)) {}
 
+bool PatchBoxes::excludes(const std::vector<ComplexBall>& point, long precision_bits) const {
+  if (!net_ || acb_contains_zero(point[weight].get()) != 0) return false;
+  const std::optional<bridge::SpaceBox> box = bridge::box_around(*net_);
+  if (!box) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    ComplexBall coordinate;
+    acb_div(coordinate.get(), point[k].get(), point[weight].get(), precision_bits);
+    bridge::RealBall below;
+    bridge::RealBall above;
+    arb_set_d(below.get(), (*box)[k][0]);
+    arb_set_d(above.get(), (*box)[k][1]);
+    if (arb_lt(coordinate.real(), below.get()) != 0 || arb_gt(coordinate.real(), above.get()) != 0) return true;
+  }
+  return false;
+}
+
 std::optional<std::vector<CurveSolution>> PatchBoxes::solve(const symbolic::CurvePiece& curve, const Options& options,
                                                             const Context& context) const {
   if (!net_) return std::nullopt;
@@ -94,7 +117,7 @@ std::optional<std::vector<CurveSolution>> PatchBoxes::solve(const symbolic::Curv
   bridge::HomogeneousParameters chart(4);
   for (ComplexBall& parameter : chart) acb_one(parameter.get());
   const bridge::System system = common_point_system(surface_, curve.map, chart, {0, 2}, weight);
-  constexpr long first_precision = 96;
+  const long first_precision = bits_for_digits(options.digits) + 40;
   const auto certify = [&](const std::array<double, 3>& near) -> std::optional<bridge::ParameterBox> {
     std::array<ComplexBall, 3> start;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -104,8 +127,9 @@ std::optional<std::vector<CurveSolution>> PatchBoxes::solve(const symbolic::Curv
       acb_mul_arb(start[k].get(), start[k].get(), width.get(), first_precision);
       acb_add_arb(start[k].get(), start[k].get(), lower.get(), first_precision);
     }
-    constexpr int steps = 5;
-    auto zero = bridge::enclose_system_zero(system, {start[1], start[2], start[0]}, first_precision, steps);
+    // The doubles are right to about 45 bits.
+    auto zero = bridge::enclose_system_zero(system, {start[1], start[2], start[0]}, first_precision,
+                                            newton_steps(first_precision));
     if (!zero) return std::nullopt;
     for (ComplexBall& value : *zero) arb_zero(value.imaginary());
     return bridge::ParameterBox{to_unit((*zero)[2], domains[0], first_precision),
@@ -137,9 +161,8 @@ std::optional<std::vector<CurveSolution>> PatchBoxes::solve(const symbolic::Curv
     for (long bits = bits_for_digits(options.digits) + 40; !printed; bits *= 2) {
       constexpr long largest_precision = 1L << 18;
       if (bits > largest_precision + 8 * options.digits) return std::nullopt;
-      int steps = 1;
-      for (long reached = first_precision / 2; reached < bits; reached *= 2) ++steps;
-      auto zero = bridge::enclose_system_zero(system, start, bits, steps);
+      std::optional<std::vector<ComplexBall>> zero = start;
+      if (bits > first_precision) zero = bridge::enclose_system_zero(system, start, bits, newton_steps(bits));
       if (!zero) return std::nullopt;
       for (ComplexBall& value : *zero) arb_zero(value.imaginary());
       CurveSolution solution;

@@ -24,6 +24,9 @@ class PatchBoxes {
   std::optional<std::vector<CurveSolution>> solve(const symbolic::CurvePiece& curve, const Options& options,
                                                   const Context& context) const;
 
+  /// True when the point surely lies outside the box around the control points.
+  bool excludes(const std::vector<bridge::ComplexBall>& point, long precision_bits) const;
+
  private:
   const symbolic::SurfacePiece& piece_;
   bridge::BallSurface surface_;

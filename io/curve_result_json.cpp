@@ -20,7 +20,7 @@ Json counts_json(const intersect::CurveCounts& counts) {
           {"undecided", counts.undecided},
           {"inside", counts.inside},
           {"with_multiplicity", counts.with_multiplicity},
-          {"expected", counts.expected},
+          {"expected", counts.within_domains_only ? nlohmann::ordered_json() : nlohmann::ordered_json(counts.expected)},
           {"listed", counts.listed}};
 }
 

@@ -57,7 +57,8 @@ std::string count_audit(const CurveResult& result, const CurveShape& shape) {
   const bool all_listed = counts.listed == counts.distinct;
   // Bezout's theorem says nothing about two curves in space, nor about the rest beside an overlap.
   const bool in_space = !shape.surface && shape.names.size() == 4;
-  const bool bezout = result.status != Status::infinite && (!in_space || counts.expected > 0);
+  const bool bezout =
+      result.status != Status::infinite && (!in_space || counts.expected > 0) && !counts.within_domains_only;
   const std::string found = "found (" + counted(counts.distinct, "solution") + ")";
   std::vector<std::vector<std::string>> rows;
   if (bezout) {
