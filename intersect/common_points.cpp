@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/intersect/common_points.hpp>
 
+#include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/parameter_roots.hpp>
 
 namespace eliminant::intersect {
@@ -20,6 +21,62 @@ ComplexBall minor(const Coordinates& a, const Coordinates& b, std::size_t j, std
 }
 
 }  // namespace
+
+std::optional<std::array<std::size_t, 2>> chart_variables(const bridge::BallSurface& surface,
+                                                          const bridge::HomogeneousParameters& parameters) {
+  std::vector<std::size_t> variables;
+  for (const std::vector<std::size_t>& group : surface.groups()) {
+    bool normalized = false;
+    for (const std::size_t k : group) {
+      if (!normalized && acb_is_one(parameters[k].get()) != 0)
+        normalized = true;
+      else
+        variables.push_back(k);
+    }
+    if (!normalized) return std::nullopt;
+  }
+  return std::array<std::size_t, 2>{variables[0], variables[1]};
+}
+
+int newton_steps(long precision_bits) {
+  constexpr long after_one_step = 90;
+  int steps = 1;
+  for (long reached = after_one_step; reached < precision_bits; reached *= 2) ++steps;
+  return steps;
+}
+
+std::optional<CurveSolution> print_common_point(const bridge::BallSurface& surface,
+                                                const symbolic::RationalCurve& curve,
+                                                const bridge::HomogeneousParameters& parameters, const ComplexBall& t,
+                                                const Options& options, long precision_bits) {
+  CurveSolution solution;
+  solution.radius_exponent = -options.digits;
+  solution.certified = options.certify;
+  const Parameter printed_t = print_value(t, options.digits, solution.radius_exponent);
+  if (!printed_t) return std::nullopt;
+  solution.t = printed_t;
+  Coordinates point;
+  for (const symbolic::UnivariatePolynomial& f : curve.coordinates()) point.push_back(evaluate(f, t, precision_bits));
+  const auto never = [](std::size_t) { return false; };
+  auto printed = print_point(point, options.digits, precision_bits, solution.radius_exponent, never);
+  if (!printed) return std::nullopt;
+  solution.point = *std::move(printed);
+  std::vector<Parameter>& on_surface = solution.surface_parameters.emplace_back();
+  if (!surface.is_tensor_product()) {
+    const auto triple = print_point(parameters, options.digits, precision_bits, solution.radius_exponent, never);
+    if (!triple) return std::nullopt;
+    on_surface.assign(triple->begin(), triple->end());
+    return solution;
+  }
+  for (const std::vector<std::size_t>& group : surface.groups()) {
+    ComplexBall value;
+    acb_div(value.get(), parameters[group[0]].get(), parameters[group[1]].get(), precision_bits);
+    Parameter parameter = print_value(value, options.digits, solution.radius_exponent);
+    if (!parameter) return std::nullopt;
+    on_surface.push_back(std::move(parameter));
+  }
+  return solution;
+}
 
 bridge::System common_point_system(const bridge::BallSurface& surface, const symbolic::RationalCurve& curve,
                                    const bridge::HomogeneousParameters& parameters,

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <eliminant/bridge/ball_surface.hpp>
 #include <eliminant/bridge/krawczyk_system.hpp>
+#include <eliminant/intersect/curve_result.hpp>
+#include <eliminant/intersect/options.hpp>
 #include <eliminant/symbolic/geometry/rational_curve.hpp>
 
 namespace eliminant::intersect {
@@ -15,5 +18,19 @@ namespace eliminant::intersect {
 bridge::System common_point_system(const bridge::BallSurface& surface, const symbolic::RationalCurve& curve,
                                    const bridge::HomogeneousParameters& parameters,
                                    std::array<std::size_t, 2> variables, std::size_t pivot);
+
+/// The indices of the two parameters that vary where the others are 1; nullopt when there is no such chart.
+std::optional<std::array<std::size_t, 2>> chart_variables(const bridge::BallSurface& surface,
+                                                          const bridge::HomogeneousParameters& parameters);
+
+/// Newton's steps that lead from the accuracy of doubles to this precision.
+int newton_steps(long precision_bits);
+
+/// A simple common point with its digits; nullopt when the balls are too wide for them, or a number may be 0.
+std::optional<CurveSolution> print_common_point(const bridge::BallSurface& surface,
+                                                const symbolic::RationalCurve& curve,
+                                                const bridge::HomogeneousParameters& parameters,
+                                                const bridge::ComplexBall& t, const Options& options,
+                                                long precision_bits);
 
 }  // namespace eliminant::intersect

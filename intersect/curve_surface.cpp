@@ -16,6 +16,7 @@
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/patch_boxes.hpp>
 #include <eliminant/intersect/presentation.hpp>
+#include <eliminant/intersect/surface_pencil.hpp>
 #include <eliminant/intersect/surface_preimages.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 #include <eliminant/symbolic/geometry/border_curve.hpp>
@@ -96,6 +97,10 @@ class PreparedSurface {
     if (!larger) larger = std::make_unique<Inversion>(piece.map, parameters);
     return larger->inversion;
   }
+  const SurfacePencil& pencil() {
+    if (!pencil_) pencil_ = std::make_unique<SurfacePencil>(matrix(), smallest().inversion);
+    return *pencil_;
+  }
   const symbolic::ImplicitDegree& degree() {
     if (!degree_) degree_ = symbolic::implicit_degree(piece.map, matrix(), seed_);
     return *degree_;
@@ -115,6 +120,7 @@ class PreparedSurface {
   bridge::BallSurface ball_surface_;
   PatchBoxes boxes_;
   std::unique_ptr<Inversion> smallest_;
+  std::unique_ptr<SurfacePencil> pencil_;
   std::map<long, std::unique_ptr<Inversion>> larger_;
   std::optional<symbolic::ImplicitDegree> degree_;
 };
@@ -128,7 +134,7 @@ class PiecePair {
 
   void run() {
     const std::size_t before = result_.solutions.size();
-    if (!solve_by_boxes()) solve_by_matrix();
+    if (!solve_by_boxes() && !solve_by_pencil()) solve_exactly();
     if (surface_.piece.region) drop_solutions_of_neighbours(before);
   }
 
@@ -150,7 +156,71 @@ class PiecePair {
     return true;
   }
 
-  void solve_by_matrix() {
+  /// The pencil engine answers where all solutions are simple, which their number proves.
+  bool solve_by_pencil() {
+    if (options_.engine != Engine::automatic && options_.engine != Engine::pencil) return false;
+    if (surface_.matrix().columns() < surface_.matrix().rows()) return false;
+    const symbolic::ImplicitDegree& degree = surface_.degree();
+    if (!degree.proven || degree.map_degree != 1) return false;
+    const auto expected = static_cast<unsigned long>(degree.product * curve_.map.degree());
+    constexpr unsigned long largest_pencil = 600;
+    if (static_cast<unsigned long>(surface_.matrix().rows() * curve_.map.degree()) > largest_pencil) return false;
+    EngineReport engine;
+    auto solutions = surface_.pencil().solve(curve_.map, expected, options_, context_, engine);
+    if (!solutions) return false;
+    const bool real = real_only(options_, curve_.domain.has_value() || surface_.piece.region.has_value());
+    CurveCounts counts;
+    counts.expected = counts.with_multiplicity = counts.distinct = expected;
+    std::vector<CurveSolution> listed;
+    for (CurveSolution& solution : *solutions) {
+      if (solution.reality == Reality::real) ++counts.real;
+      const Answer inside = is_surely_inside(solution);
+      if (inside == Answer::unknown) return false;
+      solution.inside = inside == Answer::yes;
+      if (options_.engine == Engine::pencil) solution.eigenvalue_multiplicity = 1;
+      if (!real || solution.inside) listed.push_back(std::move(solution));
+    }
+    add_part(Status::certified, counts, engine, {}, result_);
+    for (CurveSolution& solution : listed) result_.solutions.push_back(std::move(solution));
+    return true;
+  }
+
+  /// From the enclosures alone: a point on a border stays unknown.
+  Answer is_surely_inside(const CurveSolution& solution) const {
+    if (solution.reality != Reality::real) return Answer::no;
+    Answer result = Answer::yes;
+    const auto require = [&](const ComplexBall& value, const symbolic::Interval& side) {
+      constexpr long precision_bits = 256;
+      const bridge::RealBall lower(side.lower, precision_bits);
+      const bridge::RealBall upper(side.upper, precision_bits);
+      if (arb_lt(value.real(), lower.get()) != 0 || arb_gt(value.real(), upper.get()) != 0) {
+        result = Answer::no;
+      } else if (result == Answer::yes &&
+                 (arb_gt(value.real(), lower.get()) == 0 || arb_lt(value.real(), upper.get()) == 0)) {
+        result = Answer::unknown;
+      }
+    };
+    if (curve_.domain) require((*solution.t)->ball, *curve_.domain);
+    if (!surface_.piece.region) return result;
+    const symbolic::ParameterRegion& region = *surface_.piece.region;
+    const std::vector<Parameter>& parameters = solution.surface_parameters.front();
+    if (!region.triangle) {
+      for (std::size_t axis = 0; axis < 2; ++axis) require(parameters[axis]->ball, region.sides[axis]);
+      return result;
+    }
+    constexpr long precision_bits = 256;
+    ComplexBall sum;
+    for (const Parameter& parameter : parameters) acb_add(sum.get(), sum.get(), parameter->ball.get(), precision_bits);
+    for (const Parameter& parameter : parameters) {
+      ComplexBall barycentric;
+      acb_div(barycentric.get(), parameter->ball.get(), sum.get(), precision_bits);
+      if (acb_is_finite(barycentric.get()) == 0) return Answer::unknown;
+      require(barycentric, {0, 1});
+    }
+    return result;
+  }
+
+  void solve_exactly() {
     const MatrixRepresentation& m = surface_.matrix();
     result_.engine.method = "exact";
     result_.engine.matrix = "moving planes";
@@ -163,6 +233,7 @@ class PiecePair {
       add_contained_curve();
       return;
     }
+    minors_ = condition;
     const long expected = surface_.degree().product * curve_.map.degree();
     bool proven = surface_.degree().proven;
     if (condition.degree() != expected) {
@@ -264,12 +335,21 @@ class PiecePair {
         inside = on_collapsed_border(point) ? Answer::yes : Answer::unknown;
       warn("not all parameters of a point of the surface could be proven; those that are not are left out");
     }
+    if (options_.engine == Engine::pencil) solution.eigenvalue_multiplicity = eigenvalue_multiplicity(point);
     if (inside == Answer::unknown) {
       solution.certified = false;
       solution.reason = "whether the point lies in the patch is not proven";
     }
     solution.inside = solution.inside && inside == Answer::yes;
     return real && !solution.inside && inside != Answer::unknown ? Filling::left_out : Filling::done;
+  }
+
+  /// Theorem 3 of [LuuBuseMourrain2009]: the eigenvalues of the regular part are the roots of the gcd of the minors.
+  unsigned long eigenvalue_multiplicity(const PointOnCurve& point) {
+    if (point.roots == nullptr) return static_cast<unsigned long>(minors_.order_at_infinity);
+    for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(minors_.finite))
+      if (point.roots->is_zero_of(point.index, part.factor)) return part.multiplicity;
+    return 0;
   }
 
   void warn(const std::string& warning) {
@@ -595,6 +675,7 @@ class PiecePair {
   const Context& context_;
   CurveResult& result_;
   std::map<std::pair<std::size_t, std::string>, ParameterForm> borders_;
+  ParameterForm minors_;
   bool overlap_certified_ = true;
 };
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/intersect/patch_boxes.hpp>
 
+#include <algorithm>
 #include <array>
 
 #include <eliminant/intersect/common_points.hpp>
-#include <eliminant/intersect/curve_presentation.hpp>
-#include <eliminant/intersect/parameter_roots.hpp>
 #include <eliminant/intersect/presentation.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 
@@ -67,13 +66,6 @@ ComplexBall to_unit(const ComplexBall& value, const Interval& interval, long pre
   acb_sub_arb(result.get(), result.get(), lower.get(), precision_bits);
   acb_div_arb(result.get(), result.get(), width.get(), precision_bits);
   return result;
-}
-
-/// From doubles.
-int newton_steps(long precision_bits) {
-  int steps = 1;
-  for (long reached = 90; reached < precision_bits; reached *= 2) ++steps;
-  return steps;
 }
 
 enum class Place { inside, outside, unknown };
@@ -165,28 +157,17 @@ std::optional<std::vector<CurveSolution>> PatchBoxes::solve(const symbolic::Curv
       if (bits > first_precision) zero = bridge::enclose_system_zero(system, start, bits, newton_steps(bits));
       if (!zero) return std::nullopt;
       for (ComplexBall& value : *zero) arb_zero(value.imaginary());
-      CurveSolution solution;
-      solution.reality = Reality::real;
-      solution.inside = true;
-      solution.certified = options.certify;
-      solution.radius_exponent = -options.digits;
-      std::array<Parameter, 3> parameters;
-      bool enough = true;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (bits > 4 * bits_for_digits(options.digits) && acb_contains_zero((*zero)[k].get()) != 0) return std::nullopt;
-        parameters[k] = print_value((*zero)[k], options.digits, solution.radius_exponent);
-        enough = enough && parameters[k].has_value();
-      }
-      std::vector<ComplexBall> point;
-      for (const symbolic::UnivariatePolynomial& f : curve.map.coordinates())
-        point.push_back(evaluate(f, (*zero)[2], bits));
-      auto coordinates =
-          print_point(point, options.digits, bits, solution.radius_exponent, [](std::size_t) { return false; });
-      if (!enough || !coordinates) continue;
-      solution.t = parameters[2];
-      solution.surface_parameters = {{parameters[0], parameters[1]}};
-      solution.point = *std::move(coordinates);
-      solutions.push_back(std::move(solution));
+      if (bits > 4 * first_precision && std::any_of(zero->begin(), zero->end(), [](const ComplexBall& value) {
+            return acb_contains_zero(value.get()) != 0;
+          }))
+        return std::nullopt;
+      chart[0] = (*zero)[0];
+      chart[2] = (*zero)[1];
+      std::optional<CurveSolution> solution = print_common_point(surface_, curve.map, chart, (*zero)[2], options, bits);
+      if (!solution) continue;
+      solution->reality = Reality::real;
+      solution->inside = true;
+      solutions.push_back(*std::move(solution));
       printed = true;
     }
   }

@@ -36,8 +36,10 @@ class SurfaceInversion {
 
   const bridge::BallSurface& surface() const { return surface_; }
 
- private:
+  /// The parameters whose monomials have these values, up to a common factor; nullopt when the balls are too wide.
   std::optional<HomogeneousParameters> read(const std::vector<bridge::ComplexBall>& kernel, long precision_bits) const;
+
+ private:
   std::vector<HomogeneousParameters> separate(const std::vector<std::vector<bridge::ComplexBall>>& kernel) const;
   bridge::BallSurface surface_;
   const symbolic::MatrixRepresentation& m_;
