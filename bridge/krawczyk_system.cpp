@@ -1,38 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/bridge/krawczyk_system.hpp>
 
-#include <algorithm>
+#include <eliminant/bridge/ball_matrix.hpp>
 
 namespace eliminant::bridge {
 
 namespace {
-
-/// A matrix of complex balls: RAII around Arb's type.
-class BallMatrix {
- public:
-  BallMatrix(std::size_t rows, std::size_t columns) {
-    acb_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns));
-  }
-  explicit BallMatrix(const std::vector<std::vector<ComplexBall>>& rows) : BallMatrix(rows.size(), rows.size()) {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      for (std::size_t j = 0; j < rows.size(); ++j) acb_set(entry(i, j), rows[i][j].get());
-  }
-  explicit BallMatrix(const std::vector<ComplexBall>& column) : BallMatrix(column.size(), 1) {
-    for (std::size_t i = 0; i < column.size(); ++i) acb_set(entry(i, 0), column[i].get());
-  }
-  BallMatrix(const BallMatrix&) = delete;
-  BallMatrix& operator=(const BallMatrix&) = delete;
-  ~BallMatrix() { acb_mat_clear(value_); }
-  acb_mat_struct* get() { return value_; }
-  const acb_mat_struct* get() const { return value_; }
-  acb_ptr entry(std::size_t i, std::size_t j) {
-    return acb_mat_entry(value_, static_cast<slong>(i), static_cast<slong>(j));
-  }
-  void drop_radii() { acb_mat_get_mid(value_, value_); }
-
- private:
-  acb_mat_t value_;
-};
 
 std::vector<ComplexBall> midpoints(const std::vector<ComplexBall>& box) {
   std::vector<ComplexBall> result;

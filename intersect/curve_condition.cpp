@@ -15,6 +15,17 @@ using symbolic::CurvePiece;
 using symbolic::Rational;
 using symbolic::UnivariatePolynomial;
 
+/// The last report, with the methods of all.
+void add_engine(const EngineReport& part, EngineReport& whole) {
+  std::string methods = whole.method;
+  if (methods.empty() || methods == "none")
+    methods = part.method;
+  else if (methods.find(part.method) == std::string::npos)
+    methods += "+" + part.method;
+  whole = part;
+  whole.method = methods;
+}
+
 void add_infinity(const CurvePiece& piece, unsigned long multiplicity, const Options& options, const FillSolution& fill,
                   CurveResult& result) {
   CurveSolution solution;
@@ -60,6 +71,7 @@ void add_root(const CurvePiece& piece, ParameterRoots& roots, std::size_t i, uns
                                [&](std::size_t k) { return roots.is_zero_of(i, piece.map.coordinates()[k]); });
     if (!t || !printed) continue;
     solution.t = t;
+    solution.t_polynomial = roots.factor(i);
     solution.point = *std::move(printed);
     const Filling filling = fill(solution, point);
     if (filling == Filling::more_precision) continue;
@@ -144,7 +156,7 @@ void add_part(Status status, const CurveCounts& counts, const EngineReport& engi
   result.counts.with_multiplicity += counts.with_multiplicity;
   result.counts.expected += counts.expected;
   result.counts.within_domains_only = result.counts.within_domains_only || counts.within_domains_only;
-  result.engine = engine;
+  add_engine(engine, result.engine);
   for (const std::string& warning : warnings)
     if (std::find(result.warnings.begin(), result.warnings.end(), warning) == result.warnings.end())
       result.warnings.push_back(warning);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <eliminant/intersect/result.hpp>
+#include <eliminant/symbolic/arithmetic/univariate_polynomial.hpp>
 
 namespace eliminant::intersect {
 
@@ -25,6 +26,8 @@ struct CurveSolution {
   /// With a parametrised surface: every preimage, each a list of two parameters, or three homogeneous ones
   /// (triangular; the last one that is not zero is 1).
   std::vector<std::vector<Parameter>> surface_parameters;
+  /// A squarefree polynomial over Z of which t is a root, where the engine had one.
+  std::optional<symbolic::UnivariatePolynomial> t_polynomial;
   /// Intersection multiplicity of the curve (at this parameter) with the surface or the other curve.
   unsigned long multiplicity = 1;
   /// Of the eigenvalue of the pencil: larger at embedded points of the matrix representation. Only the pencil engine.

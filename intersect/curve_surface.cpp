@@ -19,6 +19,7 @@
 #include <eliminant/intersect/surface_pencil.hpp>
 #include <eliminant/intersect/surface_preimages.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+#include <eliminant/symbolic/elimination/surface_resultant.hpp>
 #include <eliminant/symbolic/geometry/border_curve.hpp>
 #include <eliminant/symbolic/matrices/moving_lines.hpp>
 #include <eliminant/symbolic/matrices/moving_planes.hpp>
@@ -107,8 +108,6 @@ class PreparedSurface {
   }
 
   const SurfacePiece& piece;
-  /// Whether the lower side in each parameter is also that of another piece.
-  std::array<bool, 2> shared{false, false};
 
  private:
   const Inversion& smallest() {
@@ -133,9 +132,7 @@ class PiecePair {
       : curve_(curve), surface_(surface), options_(options), context_(context), result_(result) {}
 
   void run() {
-    const std::size_t before = result_.solutions.size();
     if (!solve_by_boxes() && !solve_by_pencil()) solve_exactly();
-    if (surface_.piece.region) drop_solutions_of_neighbours(before);
   }
 
  private:
@@ -222,13 +219,20 @@ class PiecePair {
 
   void solve_exactly() {
     const MatrixRepresentation& m = surface_.matrix();
-    result_.engine.method = "exact";
-    result_.engine.matrix = "moving planes";
-    result_.engine.matrix_size = m.rows();
-    result_.engine.matrix_degree = curve_.map.degree();
+    EngineReport engine;
+    engine.method = "exact";
+    engine.matrix = "moving planes";
+    engine.matrix_size = m.rows();
+    engine.matrix_degree = curve_.map.degree();
+    add_part(Status::certified, {}, engine, {}, result_);
     if (m.columns() < m.rows())
       throw LimitReached("the base points of the surface leave no matrix representation by moving planes");
-    ParameterForm condition = symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
+    // Without base points the smallest representation is square.
+    std::optional<ParameterForm> resultant;
+    if (m.columns() == m.rows() && surface_.degree().proven)
+      resultant = symbolic::surface_resultant_on_curve(surface_.piece.map, curve_.map, options_.seed, context_);
+    ParameterForm condition =
+        resultant ? *resultant : symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
     if (condition.finite.is_zero()) {
       add_contained_curve();
       return;
@@ -252,19 +256,6 @@ class PiecePair {
     for (std::size_t i = before; i < result_.solutions.size(); ++i) {
       result_.solutions[i].certified = false;
       result_.solutions[i].reason = "the base points of the surface leave its degree unproven";
-    }
-  }
-
-  /// A solution on a side that this piece shares with one before it has been reported there.
-  void drop_solutions_of_neighbours(std::size_t first) {
-    for (std::size_t i = result_.solutions.size(); i-- > first;) {
-      const CurveSolution& solution = result_.solutions[i];
-      const bool at_neighbour = std::any_of(
-          solution.surface_parameters.begin(), solution.surface_parameters.end(), [&](const std::vector<Parameter>& p) {
-            return (surface_.shared[0] && is_at(p[0], surface_.piece.region->sides[0].lower)) ||
-                   (surface_.shared[1] && is_at(p[1], surface_.piece.region->sides[1].lower));
-          });
-      if (at_neighbour) result_.solutions.erase(result_.solutions.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
 
@@ -327,8 +318,11 @@ class PiecePair {
       std::optional<std::vector<Parameter>> printed = print(parameters, point, solution.radius_exponent);
       const Answer within = is_within(parameters, point);
       if (!printed || within == Answer::unknown) return Filling::more_precision;
+      // Of a patch only what lies in it, of a point outside everything.
+      if (within == Answer::yes && inside == Answer::no) solution.surface_parameters.clear();
+      if (within == Answer::yes || inside == Answer::no || !surface_.piece.region)
+        solution.surface_parameters.push_back(*std::move(printed));
       if (within == Answer::yes) inside = Answer::yes;
-      solution.surface_parameters.push_back(*std::move(printed));
     }
     if (!preimages->proven) {
       if (inside == Answer::no && !surface_.boxes().excludes(point.coordinates, point.precision_bits))
@@ -373,13 +367,16 @@ class PiecePair {
   /// A kernel of larger dimension is believed when no precision shows a smaller one. Its parameters count when they are
   /// proven one by one.
   std::optional<Preimages> find_preimages(const PointOnCurve& point) {
-    const bool patient = point.precision_bits < largest_precision && surface_.degree().map_degree == 1;
-    const long most = patient ? 1 : surface_.matrix().rows();
-    std::optional<Preimages> found = surface_.inversion_for(1).preimages(point.coordinates, most, point.precision_bits);
+    const bool patient = point.precision_bits < largest_precision;
+    const long most = patient ? surface_.degree().map_degree : surface_.matrix().rows();
+    std::optional<Preimages> found = surface_.inversion_for(1).preimages(
+        point.coordinates, most, surface_.degree().map_degree, point.precision_bits);
     if (!found || found->proven) return found;
     const long dimension = found->kernel_dimension;
     const SurfaceInversion& larger = surface_.inversion_for(dimension);
-    found = larger.preimages(point.coordinates, std::numeric_limits<long>::max(), point.precision_bits);
+    if (patient && dimension > surface_.degree().map_degree) return std::nullopt;
+    found = larger.preimages(point.coordinates, std::numeric_limits<long>::max(), surface_.degree().map_degree,
+                             point.precision_bits);
     prove(*found, point);
     return found;
   }
@@ -623,11 +620,13 @@ class PiecePair {
       }
       const bool patient = point.precision_bits < largest_precision && surface_.degree().map_degree == 1;
       const long most = patient ? 1 : surface_.matrix().rows();
-      auto found = surface_.inversion_for(1).preimages(point.coordinates, most, point.precision_bits);
+      auto found = surface_.inversion_for(1).preimages(point.coordinates, most, surface_.degree().map_degree,
+                                                       point.precision_bits);
       if (!found) continue;
       if (found->kernel_dimension > 1) {
         found = surface_.inversion_for(found->kernel_dimension)
-                    .preimages(point.coordinates, std::numeric_limits<long>::max(), point.precision_bits);
+                    .preimages(point.coordinates, std::numeric_limits<long>::max(), surface_.degree().map_degree,
+                               point.precision_bits);
         overlap_certified_ = false;
       }
       Answer inside = Answer::no;
@@ -679,21 +678,65 @@ class PiecePair {
   bool overlap_certified_ = true;
 };
 
-/// True when `after` continues `before` across its lower side in one parameter, with the same points there.
-bool continues(const SurfacePiece& before, const SurfacePiece& after, std::size_t axis) {
-  if (!before.region || !after.region || before.region->triangle || after.region->triangle) return false;
-  const auto& first = before.region->sides;
-  const auto& second = after.region->sides;
-  if (!(first[axis].upper == second[axis].lower) || !(first[1 - axis] == second[1 - axis])) return false;
-  const auto a = symbolic::border_curve(before.map, axis, second[axis].lower);
-  const auto b = symbolic::border_curve(after.map, axis, second[axis].lower);
-  if (!a || !b) return false;
-  const auto& f = a->coordinates();
-  const auto& g = b->coordinates();
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (!(f[i] * g[j] == f[j] * g[i])) return false;
-  return true;
+/// Whether two solutions of different pieces have the same t.
+bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Context& context) {
+  if (!*a.t || !*b.t) return !*a.t && !*b.t;
+  const ComplexBall& first = (*a.t)->ball;
+  const ComplexBall& second = (*b.t)->ball;
+  // Without a polynomial a point is transversal and inside its patch.
+  if (acb_overlaps(first.get(), second.get()) == 0 || !a.t_polynomial || !b.t_polynomial) return false;
+  const UnivariatePolynomial common = symbolic::gcd(*a.t_polynomial, *b.t_polynomial);
+  if (common.degree() < 1) return false;
+  const long bits = std::min(acb_rel_accuracy_bits(first.get()), acb_rel_accuracy_bits(second.get()));
+  const std::vector<ComplexBall> roots = bridge::enclose_roots(common, std::max(bits, 64L), context);
+  return std::any_of(roots.begin(), roots.end(), [&](const ComplexBall& root) {
+    return acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0;
+  });
+}
+
+bool same_text(const Parameter& a, const Parameter& b) {
+  return a.has_value() == b.has_value() && (!a || (a->real == b->real && a->imaginary == b->imaginary));
+}
+
+/// Pieces meet along their sides, and a closed surface meets itself there: what is at one t is one solution, with all
+/// parameters. On a side the pieces are one surface, whose multiplicity each of them knows.
+void merge_pieces(CurveResult& result, const Context& context) {
+  std::vector<CurveSolution> merged;
+  for (CurveSolution& solution : result.solutions) {
+    const auto known = std::find_if(merged.begin(), merged.end(), [&](const CurveSolution& other) {
+      return same_parameter(other, solution, context);
+    });
+    if (known == merged.end()) {
+      merged.push_back(std::move(solution));
+      continue;
+    }
+    known->inside = known->inside || solution.inside;
+    known->certified = known->certified && solution.certified;
+    if (known->reason.empty()) known->reason = solution.reason;
+    known->radius_exponent = std::max(known->radius_exponent, solution.radius_exponent);
+    known->multiplicity = std::max(known->multiplicity, solution.multiplicity);
+    for (std::vector<Parameter>& parameters : solution.surface_parameters)
+      if (std::none_of(known->surface_parameters.begin(), known->surface_parameters.end(),
+                       [&](const std::vector<Parameter>& other) {
+                         return std::equal(other.begin(), other.end(), parameters.begin(), same_text);
+                       }))
+        known->surface_parameters.push_back(std::move(parameters));
+  }
+  result.solutions = std::move(merged);
+  std::vector<Overlap> overlaps;
+  for (Overlap& overlap : result.overlap) {
+    const auto adjacent = std::find_if(overlaps.begin(), overlaps.end(), [&](const Overlap& other) {
+      return other.t && overlap.t &&
+             (same_text((*other.t)[1], (*overlap.t)[0]) || same_text((*other.t)[0], (*overlap.t)[0]));
+    });
+    if (adjacent == overlaps.end()) {
+      overlaps.push_back(std::move(overlap));
+      continue;
+    }
+    adjacent->certified = adjacent->certified && overlap.certified;
+    if (same_text((*adjacent->t)[1], (*overlap.t)[0])) (*adjacent->t)[1] = (*overlap.t)[1];
+  }
+  result.overlap = std::move(overlaps);
 }
 
 }  // namespace
@@ -727,9 +770,6 @@ CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Op
     const std::vector<SurfacePiece>& pieces = std::get<ParametricSurface>(problem.surface).pieces;
     for (const SurfacePiece& surface : pieces) {
       PreparedSurface prepared(surface, options.seed);
-      for (std::size_t axis = 0; axis < 2; ++axis)
-        prepared.shared[axis] = std::any_of(pieces.begin(), pieces.end(),
-                                            [&](const SurfacePiece& other) { return continues(other, surface, axis); });
       for (std::size_t i = 0; i < problem.curve.pieces.size(); ++i) {
         const CurvePiece& curve = problem.curve.pieces[i];
         const std::size_t before = result.solutions.size();
@@ -741,6 +781,7 @@ CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Op
       }
     }
   }
+  merge_pieces(result, context);
   finish(options, result);
   result.seconds.emplace_back("total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return result;

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
+#include <eliminant/bridge/ball_matrix.hpp>
 #include <eliminant/symbolic/elimination/prime_field.hpp>
 
 namespace eliminant::intersect {
@@ -113,7 +114,7 @@ SurfaceInversion::SurfaceInversion(const symbolic::RationalSurface& surface, con
 }
 
 std::optional<Preimages> SurfaceInversion::preimages(const std::vector<ComplexBall>& point, long largest_dimension,
-                                                     long precision_bits) const {
+                                                     long map_degree, long precision_bits) const {
   std::vector<std::vector<ComplexBall>> transposed(static_cast<std::size_t>(m_.columns()),
                                                    std::vector<ComplexBall>(static_cast<std::size_t>(m_.rows())));
   for (long i = 0; i < m_.rows(); ++i)
@@ -129,6 +130,14 @@ std::optional<Preimages> SurfaceInversion::preimages(const std::vector<ComplexBa
   if (result.kernel_dimension < 1) return result;
   const std::vector<std::vector<ComplexBall>> kernel = elimination.kernel();
   if (result.kernel_dimension > 1) {
+    // Of a surface that has so many parameters everywhere the dimension cannot be smaller.
+    if (result.kernel_dimension == map_degree) {
+      if (auto all = enclose_all(kernel, precision_bits)) {
+        result.parameters = *std::move(all);
+        result.proven = true;
+        return result;
+      }
+    }
     result.parameters = separate(kernel);
     return result;
   }
@@ -167,27 +176,18 @@ std::optional<HomogeneousParameters> SurfaceInversion::read(const std::vector<Co
   return parameters;
 }
 
-/// Several parameters of one point: the kernel is spanned by the values of the monomials at each of them, so that the
-/// multiplication by a parameter becomes a matrix with these values as eigenvectors ([ManochaDemmel1995]).
-std::vector<HomogeneousParameters> SurfaceInversion::separate(
-    const std::vector<std::vector<ComplexBall>>& kernel) const {
-  using Matrix = Eigen::MatrixXcd;
-  const auto count = static_cast<Eigen::Index>(kernel.size());
-  std::map<Exponents, std::size_t> position;
-  for (std::size_t i = 0; i < rows_.size(); ++i) position[rows_[i]] = i;
-  Matrix k(count, static_cast<Eigen::Index>(rows_.size()));
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (std::size_t j = 0; j < rows_.size(); ++j)
-      k(i, static_cast<Eigen::Index>(j)) = rounded(kernel[static_cast<std::size_t>(i)][j]);
-  Eigen::HouseholderQR<Matrix> qr(k.adjoint());
-  const Matrix orthonormal = (qr.householderQ() * Matrix::Identity(k.cols(), count)).adjoint();
-  // Two forms of degree one in each group of parameters, times the monomials of one degree less.
+/// The sums over the row monomials that stand for the multiplication by two forms of degree one in each group of
+/// parameters: for each of `count` combinations of lower monomials the weights of the rows, above and below the
+/// fraction.
+struct SurfaceInversion::Multiplication {
+  std::vector<std::vector<double>> above;
+  std::vector<std::vector<double>> below;
+};
+
+SurfaceInversion::Multiplication SurfaceInversion::multiplication(std::size_t count) const {
   std::uint64_t drawn = 0;
-  const auto random = [&drawn] { return static_cast<double>(symbolic::mix(7, drawn++) % 2001) / 1000.0 - 1.0; };
-  struct Multiple {
-    std::size_t factor;  // an index of the monomial that was divided out
-    std::size_t row;
-  };
+  // Small dyadic numbers: exact in balls too.
+  const auto random = [&drawn] { return static_cast<double>(symbolic::mix(7, drawn++) % 2049) / 1024.0 - 1.0; };
   std::vector<Exponents> factors{Exponents(rows_.front().size(), 0)};
   for (const std::vector<std::size_t>& group : surface_.groups()) {
     unsigned long degree = 0;
@@ -201,6 +201,10 @@ std::vector<HomogeneousParameters> SurfaceInversion::separate(
       }
     factors = std::move(extended);
   }
+  struct Multiple {
+    std::size_t factor;  // an index of the monomial that was divided out
+    std::size_t row;
+  };
   std::map<Exponents, std::vector<Multiple>> lower;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     for (std::size_t f = 0; f < factors.size(); ++f) {
@@ -218,21 +222,40 @@ std::vector<HomogeneousParameters> SurfaceInversion::separate(
     numerator.push_back(random());
     denominator.push_back(random());
   }
+  Multiplication result;
+  result.above.assign(count, std::vector<double>(rows_.size(), 0.0));
+  result.below = result.above;
+  for (const auto& [exponents, multiples] : lower)
+    for (std::size_t j = 0; j < count; ++j) {
+      const double weight = random();
+      for (const Multiple& multiple : multiples) {
+        result.above[j][multiple.row] += weight * numerator[multiple.factor];
+        result.below[j][multiple.row] += weight * denominator[multiple.factor];
+      }
+    }
+  return result;
+}
+
+/// Several parameters of one point: the kernel is spanned by the values of the monomials at each of them, so that the
+/// multiplication by a fraction of two forms becomes a matrix with these values as eigenvectors ([ManochaDemmel1995]).
+std::vector<HomogeneousParameters> SurfaceInversion::separate(
+    const std::vector<std::vector<bridge::ComplexBall>>& kernel) const {
+  using Matrix = Eigen::MatrixXcd;
+  const auto count = static_cast<Eigen::Index>(kernel.size());
+  Matrix k(count, static_cast<Eigen::Index>(rows_.size()));
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+      k(i, static_cast<Eigen::Index>(j)) = rounded(kernel[static_cast<std::size_t>(i)][j]);
+  const Eigen::HouseholderQR<Matrix> qr(k.adjoint());
+  const Matrix orthonormal = (qr.householderQ() * Matrix::Identity(k.cols(), count)).adjoint();
+  const Multiplication by = multiplication(kernel.size());
   Matrix above = Matrix::Zero(count, count);
   Matrix below = Matrix::Zero(count, count);
-  for (const auto& [exponents, multiples] : lower) {
-    Eigen::VectorXcd up = Eigen::VectorXcd::Zero(count);
-    Eigen::VectorXcd down = Eigen::VectorXcd::Zero(count);
-    for (const Multiple& multiple : multiples) {
-      up += numerator[multiple.factor] * orthonormal.col(static_cast<Eigen::Index>(multiple.row));
-      down += denominator[multiple.factor] * orthonormal.col(static_cast<Eigen::Index>(multiple.row));
+  for (Eigen::Index j = 0; j < count; ++j)
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      above.col(j) += by.above[static_cast<std::size_t>(j)][row] * orthonormal.col(static_cast<Eigen::Index>(row));
+      below.col(j) += by.below[static_cast<std::size_t>(j)][row] * orthonormal.col(static_cast<Eigen::Index>(row));
     }
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const double weight = random();
-      above.col(j) += weight * up;
-      below.col(j) += weight * down;
-    }
-  }
   // Left eigenvectors: y^T above = lambda y^T below.
   const Matrix quotient = below.transpose().fullPivLu().solve(above.transpose());
   if (!quotient.allFinite()) return {};
@@ -244,6 +267,41 @@ std::vector<HomogeneousParameters> SurfaceInversion::separate(
     std::vector<ComplexBall> balls;
     for (Eigen::Index j = 0; j < values.size(); ++j) balls.emplace_back(values(j).real(), values(j).imag());
     if (std::optional<HomogeneousParameters> parameters = read(balls, 64)) result.push_back(*std::move(parameters));
+  }
+  return result;
+}
+
+/// The same in balls, for a kernel of which the dimension is known: all parameters, when they are different.
+std::optional<std::vector<HomogeneousParameters>> SurfaceInversion::enclose_all(
+    const std::vector<std::vector<bridge::ComplexBall>>& kernel, long precision_bits) const {
+  const std::size_t count = kernel.size();
+  const Multiplication by = multiplication(count);
+  bridge::BallMatrix above(count, count);
+  bridge::BallMatrix below(count, count);
+  // Transposed: row j, column i.
+  const auto add = [&](bridge::BallMatrix& matrix, const std::vector<std::vector<double>>& weights) {
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j)
+        for (std::size_t row = 0; row < rows_.size(); ++row) {
+          const ComplexBall weight(weights[j][row], 0);
+          acb_addmul(matrix.entry(j, i), weight.get(), kernel[i][row].get(), precision_bits);
+        }
+  };
+  add(above, by.above);
+  add(below, by.below);
+  bridge::BallMatrix quotient(count, count);
+  if (acb_mat_solve(quotient.get(), below.get(), above.get(), precision_bits) == 0) return std::nullopt;
+  const std::optional<bridge::BallMatrix> vectors = bridge::simple_eigenvectors(quotient, precision_bits);
+  if (!vectors) return std::nullopt;
+  std::vector<HomogeneousParameters> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<ComplexBall> values(rows_.size());
+    for (std::size_t row = 0; row < rows_.size(); ++row)
+      for (std::size_t k = 0; k < count; ++k)
+        acb_addmul(values[row].get(), vectors->entry(k, i), kernel[k][row].get(), precision_bits);
+    std::optional<HomogeneousParameters> parameters = read(values, precision_bits);
+    if (!parameters) return std::nullopt;
+    result.push_back(*std::move(parameters));
   }
   return result;
 }

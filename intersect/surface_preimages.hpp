@@ -30,9 +30,10 @@ class SurfaceInversion {
   SurfaceInversion(const symbolic::RationalSurface& surface, const symbolic::MatrixRepresentation& m);
 
   /// The parameters of the point P, of which it is known that it lies on the surface; nullopt when its balls are too
-  /// wide to say that the kernel has no larger dimension than `largest_dimension`.
+  /// wide to say that the kernel has no larger dimension than `largest_dimension`. Every point of the surface has at
+  /// least `map_degree` parameters, counted with multiplicity.
   std::optional<Preimages> preimages(const std::vector<bridge::ComplexBall>& point, long largest_dimension,
-                                     long precision_bits) const;
+                                     long map_degree, long precision_bits) const;
 
   const bridge::BallSurface& surface() const { return surface_; }
 
@@ -40,7 +41,12 @@ class SurfaceInversion {
   std::optional<HomogeneousParameters> read(const std::vector<bridge::ComplexBall>& kernel, long precision_bits) const;
 
  private:
+  struct Multiplication;
+
+  Multiplication multiplication(std::size_t count) const;
   std::vector<HomogeneousParameters> separate(const std::vector<std::vector<bridge::ComplexBall>>& kernel) const;
+  std::optional<std::vector<HomogeneousParameters>> enclose_all(
+      const std::vector<std::vector<bridge::ComplexBall>>& kernel, long precision_bits) const;
   bridge::BallSurface surface_;
   const symbolic::MatrixRepresentation& m_;
   std::vector<std::vector<unsigned long>> rows_;  // exponents of the homogeneous parameters

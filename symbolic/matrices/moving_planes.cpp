@@ -45,9 +45,9 @@ Exponents product(const Exponents& a, const Exponents& b) {
   return result;
 }
 
-/// The syzygies sum over k of a_k f_k = 0 with a_k in the span of `rows`, so that the products are in that of
-/// `products`.
-MatrixRepresentation from_syzygies(const RationalSurface& surface, Monomials rows, const Monomials& products) {
+/// The equations of the syzygies sum over k of a_k f_k = 0 with a_k in the span of `rows`, so that the products are in
+/// that of `products`.
+IntegerMatrix syzygy_system(const RationalSurface& surface, const Monomials& rows, const Monomials& products) {
   const std::map<Exponents, long> equations = positions(products);
   const auto count = static_cast<long>(rows.size());
   IntegerMatrix system(static_cast<long>(products.size()), 4 * count);
@@ -57,7 +57,12 @@ MatrixRepresentation from_syzygies(const RationalSurface& surface, Monomials row
         fmpz_set(
             system.entry(equations.at(product(term.exponents, rows[static_cast<std::size_t>(row)])), k * count + row),
             term.coefficient.numerator().get());
-  const IntegerMatrix planes = nullspace(system);
+  return system;
+}
+
+MatrixRepresentation from_syzygies(const RationalSurface& surface, Monomials rows, const Monomials& products) {
+  const IntegerMatrix planes = nullspace(syzygy_system(surface, rows, products));
+  const auto count = static_cast<long>(rows.size());
   MatrixRepresentation result;
   result.row_monomials = std::move(rows);
   for (long k = 0; k < 4; ++k) {
@@ -83,6 +88,13 @@ MatrixRepresentation moving_plane_matrix(const RationalSurface& surface, std::ar
   if (nu[0] < 0 || nu[1] < 0) throw InvalidInput("a degree of moving planes is negative", "at least 0");
   const std::array<long, 2> degrees = surface.bidegree();
   return from_syzygies(surface, tensor_monomials(nu), tensor_monomials({nu[0] + degrees[0], nu[1] + degrees[1]}));
+}
+
+IntegerMatrix moving_plane_system(const RationalSurface& surface, std::array<long, 2> nu) {
+  if (surface.kind() != RationalSurface::Kind::tensor_product)
+    throw InvalidInput("two degrees were given for moving planes of a surface over the projective plane", "one degree");
+  const std::array<long, 2> degrees = surface.bidegree();
+  return syzygy_system(surface, tensor_monomials(nu), tensor_monomials({nu[0] + degrees[0], nu[1] + degrees[1]}));
 }
 
 long representation_degree(const RationalSurface& surface, std::uint64_t seed) {

@@ -19,6 +19,10 @@ MatrixRepresentation moving_plane_matrix(const RationalSurface& surface, long nu
 /// Source: [BuseDohm2007].
 MatrixRepresentation moving_plane_matrix(const RationalSurface& surface, std::array<long, 2> nu);
 
+/// The linear system of the moving planes of degree nu over the product of two projective lines: its kernel holds their
+/// coefficients, that of row i of the matrix in the form x_k at position k rows + i.
+IntegerMatrix moving_plane_system(const RationalSurface& surface, std::array<long, 2> nu);
+
 /// max(d - 1, 2 (d - 1) - k) with k the least degree of a form in the saturation of the base ideal (0 without base
 /// points), for a surface over the projective plane. The saturation is computed modulo a prime of `seed`.
 long representation_degree(const RationalSurface& surface, std::uint64_t seed = 0);
