@@ -53,10 +53,12 @@ class CurveCurve {
 
  private:
   void intersect_maps(const ParametricCurve& first, const ParametricCurve& second) {
+    const std::size_t dimension = first.pieces.front().map.dimension();
     for (const ParametricCurve* curve : {&first, &second})
       for (const CurvePiece& piece : curve->pieces)
-        if (piece.map.dimension() != 2)
-          throw InvalidInput("two curves in space are not supported by this version", "plane curves");
+        if (piece.map.dimension() != dimension)
+          throw InvalidInput("a curve in space meets a plane curve", "two curves in the plane or two in space");
+    result_.in_plane = dimension == 2;
     for (std::size_t i = 0; i < first.pieces.size(); ++i)
       for (std::size_t j = 0; j < second.pieces.size(); ++j) {
         MapPairResult part = intersect_map_pair(first.pieces[i], second.pieces[j], options_, context_);

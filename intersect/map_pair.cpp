@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
@@ -13,6 +14,8 @@
 #include <eliminant/symbolic/elimination/common_component.hpp>
 #include <eliminant/symbolic/elimination/factors.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
+#include <eliminant/symbolic/elimination/univariate_representation.hpp>
+#include <eliminant/symbolic/elimination/vanishing_factors.hpp>
 #include <eliminant/symbolic/matrices/moving_lines.hpp>
 
 namespace eliminant::intersect {
@@ -84,21 +87,23 @@ class MapPair {
           const Context& context)
       : first_(first), second_(second), options_(options), context_(context) {
     const std::vector<symbolic::MovingLine> basis = symbolic::moving_line_basis(first.map);
-    const Polynomial p = incidence(basis[0], second.map);
-    const Polynomial q = incidence(basis[1], second.map);
-    const symbolic::CommonComponent split = symbolic::split_common_component(p, q);
-    component_ = split.component;
-    const std::array<long, 2> common{component_.degree(0), component_.degree(1)};
-    const auto formal = [&](const symbolic::MovingLine& line) {
-      return std::array<long, 2>{degree_of(line) - common[0], second.map.degree() - common[1]};
-    };
-    equations_ = {Equation{split.first, formal(basis[0])}, Equation{split.second, formal(basis[1])}};
+    for (const symbolic::MovingLine& line : basis)
+      component_ = symbolic::split_common_component(component_, incidence(line, second.map)).component;
+    for (const symbolic::MovingLine& line : basis) {
+      const Polynomial equation = incidence(line, second.map);
+      // Curves in one plane: that plane says nothing.
+      if (equation.is_zero()) continue;
+      equations_.push_back({symbolic::exact_quotient(equation, component_),
+                            {degree_of(line) - component_.degree(0), second.map.degree() - component_.degree(1)}});
+    }
+    while (equations_.size() < 2) equations_.push_back({Polynomial::constant(2, Rational(1)), {0, 0}});
   }
 
   MapPairResult run() {
     const std::array<long, 2>& a = equations_[0].bidegree;
     const std::array<long, 2>& b = equations_[1].bidegree;
-    result_.counts.expected = static_cast<unsigned long>(a[0] * b[1] + a[1] * b[0]);
+    // In space the number is not known beforehand.
+    if (!in_space()) result_.counts.expected = static_cast<unsigned long>(a[0] * b[1] + a[1] * b[0]);
     result_.coincident = !component_.is_constant();
     constexpr long guard_digits = 8;
     for (long digits = options_.digits + guard_digits;; digits *= 2) {
@@ -111,6 +116,8 @@ class MapPair {
   }
 
  private:
+  bool in_space() const { return equations_.size() > 2; }
+
   bool real_only() const {
     if (options_.field == Field::automatic) return first_.domain || second_.domain;
     return options_.field == Field::real;
@@ -135,20 +142,17 @@ class MapPair {
     result_.counts.real = finite.counts.real;
     result_.counts.undecided = finite.counts.undecided;
     for (const Solution& s : finite.solutions) add_pair(s, s.x.ball, s.y.ball);
+    if (undecided_) return;
 
     // Where a parameter is infinite, which a look at the leading coefficients tells.
     options.field = Field::complex;
     for (const auto& [t_infinite, u_infinite] : {std::pair{true, false}, {false, true}, {true, true}}) {
-      std::array<Equation, 2> chart = equations_;
+      std::vector<Equation> chart = equations_;
       for (Equation& equation : chart) {
         if (t_infinite) equation = equation.reversed(0);
         if (u_infinite) equation = equation.reversed(1);
       }
-      const bool possible =
-          t_infinite && u_infinite
-              ? chart[0].polynomial.constant_term().is_zero() && chart[1].polynomial.constant_term().is_zero()
-              : symbolic::gcd(chart[0].at_zero(t_infinite ? 0 : 1), chart[1].at_zero(t_infinite ? 0 : 1)).degree() > 0;
-      if (!possible) continue;
+      if (!may_vanish_at_zero(chart, t_infinite, u_infinite)) continue;
       for (const Solution& s : solve_chart(chart, options).solutions) {
         const auto at_infinity = [](const Coordinate& c) { return c.exact && c.exact->is_zero(); };
         if ((t_infinite && !at_infinity(s.x)) || (u_infinite && !at_infinity(s.y))) continue;
@@ -161,17 +165,112 @@ class MapPair {
                  u_infinite ? std::nullopt : std::optional(s.y.ball));
       }
     }
-    if (result_.counts.with_multiplicity != result_.counts.expected) result_.status = Status::numeric;
+    if (!in_space() && result_.counts.with_multiplicity != result_.counts.expected) result_.status = Status::numeric;
   }
 
-  Result solve_chart(const std::array<Equation, 2>& chart, const Options& options) {
+  /// Whether the equations have a common zero where the first variable, the second one, or both are 0.
+  static bool may_vanish_at_zero(const std::vector<Equation>& chart, bool first, bool second) {
+    if (first && second)
+      return std::all_of(chart.begin(), chart.end(),
+                         [](const Equation& equation) { return equation.polynomial.constant_term().is_zero(); });
+    UnivariatePolynomial common;
+    for (const Equation& equation : chart) common = symbolic::gcd(common, equation.at_zero(first ? 0 : 1));
+    return common.degree() > 0;
+  }
+
+  Result solve_chart(const std::vector<Equation>& chart, const Options& options) {
     PlaneCurvesProblem problem;
     problem.p = chart[0].polynomial;
     problem.q = chart[1].polynomial;
+    // Of three equations the third one is added to the others, until they have finitely many zeros.
+    for (long factor = 1; in_space(); ++factor) {
+      problem.p = chart[0].polynomial + Rational(factor) * chart[2].polynomial;
+      problem.q = chart[1].polynomial + Rational(factor * factor + 1) * chart[2].polynomial;
+      if (symbolic::split_common_component(problem.p, problem.q).component.is_constant()) break;
+    }
     Result result = intersect_plane_curves(problem, options, context_);
+    if (in_space()) keep_zeros(chart, problem, result);
     if (result.status == Status::incomplete) throw LimitReached(*result.limit);
     if (result.status != Status::certified) result_.status = Status::numeric;
     return result;
+  }
+
+  /// Keeps the zeros of all three equations, of which two combinations have been solved, and counts them.
+  void keep_zeros(const std::vector<Equation>& chart, const PlaneCurvesProblem& problem, Result& result) {
+    const Polynomial& third = chart[2].polynomial;
+    std::vector<Solution> kept;
+    std::optional<std::vector<UnivariatePolynomial>> vanishing;
+    std::optional<symbolic::UnivariateRepresentation> representation;
+    for (Solution& s : result.solutions) {
+      const long precision_bits =
+          std::min(acb_rel_accuracy_bits(s.x.ball.get()), acb_rel_accuracy_bits(s.y.ball.get()));
+      const long working_bits = 2 * std::clamp(precision_bits, 64L, 1L << 20) + 64;
+      if (acb_contains_zero(evaluate(third, s.x.ball, s.y.ball, working_bits).get()) == 0) continue;
+      for (long shear = 0; !representation; shear = shear > 0 ? -shear : 1 - shear)
+        if (symbolic::is_admissible_shear(problem.p, problem.q, shear)) {
+          representation = symbolic::univariate_representation(problem.p.primitive_part(), problem.q.primitive_part(),
+                                                               shear, options_.seed, context_);
+          if (representation) vanishing = symbolic::vanishing_factors(*representation, third);
+        }
+      // The solution belongs to the class of its multiplicity; there one of two coprime factors vanishes.
+      ComplexBall t;
+      acb_mul_si(t.get(), s.y.ball.get(), representation->shear, working_bits);
+      acb_add(t.get(), t.get(), s.x.ball.get(), working_bits);
+      for (std::size_t k = 0; k < representation->classes.size(); ++k) {
+        const symbolic::SquarefreeFactor& part = representation->classes[k];
+        if (part.multiplicity != s.multiplicity) continue;
+        const UnivariatePolynomial& common = (*vanishing)[k];
+        if (common.degree() < 1) continue;
+        UnivariatePolynomial rest;
+        fmpz_poly_div(rest.get(), part.factor.get(), common.get());
+        if (acb_contains_zero(evaluate(common, t, working_bits).get()) == 0) continue;
+        if (acb_contains_zero(evaluate(rest, t, working_bits).get()) != 0) undecided_ = true;
+        if (is_transversal(chart, s, working_bits)) s.multiplicity = 1;
+        kept.push_back(s);
+      }
+    }
+    result.solutions = std::move(kept);
+    result.counts = {};
+    for (const Solution& s : result.solutions) {
+      ++result.counts.distinct;
+      result.counts.with_multiplicity += s.multiplicity;
+      if (s.reality == Reality::real) ++result.counts.real;
+      if (s.reality == Reality::undecided) ++result.counts.undecided;
+    }
+  }
+
+  /// The value of a polynomial in two variables.
+  static ComplexBall evaluate(const Polynomial& p, const ComplexBall& x, const ComplexBall& y, long precision_bits) {
+    ComplexBall sum;
+    ComplexBall product;
+    ComplexBall power;
+    for (const Polynomial::Term& term : p.terms()) {
+      acb_pow_ui(product.get(), x.get(), term.exponents[0], precision_bits);
+      acb_pow_ui(power.get(), y.get(), term.exponents[1], precision_bits);
+      acb_mul(product.get(), product.get(), power.get(), precision_bits);
+      arb_set_fmpq(power.real(), term.coefficient.get(), precision_bits);
+      arb_zero(power.imaginary());
+      acb_addmul(sum.get(), product.get(), power.get(), precision_bits);
+    }
+    return sum;
+  }
+  static ComplexBall evaluate(const UnivariatePolynomial& p, const ComplexBall& at, long precision_bits) {
+    return intersect::evaluate(p, at, precision_bits);
+  }
+
+  /// Whether the derivatives of the equations have rank two there.
+  static bool is_transversal(const std::vector<Equation>& chart, const Solution& s, long precision_bits) {
+    for (std::size_t i = 0; i < chart.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        std::array<ComplexBall, 4> entries;
+        for (std::size_t k = 0; k < 4; ++k)
+          entries[k] = evaluate(chart[k < 2 ? i : j].polynomial.derivative(k % 2), s.x.ball, s.y.ball, precision_bits);
+        ComplexBall determinant;
+        acb_mul(determinant.get(), entries[0].get(), entries[3].get(), precision_bits);
+        acb_submul(determinant.get(), entries[1].get(), entries[2].get(), precision_bits);
+        if (acb_contains_zero(determinant.get()) == 0) return true;
+      }
+    return false;
   }
 
   void add_pair(const Solution& s, std::optional<ComplexBall> t, std::optional<ComplexBall> u) {
@@ -181,6 +280,7 @@ class MapPair {
   /// Fills the solutions; false when some of them needs more digits.
   bool present() {
     result_.solutions.clear();
+    if (std::exchange(undecided_, false)) return false;
     for (const Pair& pair : pairs_) {
       const Answer inside = is_inside(pair);
       if (inside == Answer::unknown) return false;
@@ -247,15 +347,24 @@ class MapPair {
   const UnivariatePolynomial& eliminant(std::size_t axis) {
     std::optional<UnivariatePolynomial>& known = eliminants_[axis];
     if (!known) {
-      const UnivariatePolynomial all =
-          symbolic::resultant(symbolic::hide_variable(equations_[0].polynomial, axis),
-                              symbolic::hide_variable(equations_[1].polynomial, axis), options_.seed, context_);
+      const UnivariatePolynomial all = common_resultant(axis);
       UnivariatePolynomial product({Integer(1)});
       for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(all))
         product = product * part.factor;
       known = product;
     }
     return *known;
+  }
+
+  /// A polynomial that is not zero and vanishes at the t (axis 0) or u of every finite solution.
+  UnivariatePolynomial common_resultant(std::size_t axis) const {
+    UnivariatePolynomial common;
+    for (std::size_t i = 0; i < equations_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        common = symbolic::gcd(common, symbolic::resultant(symbolic::hide_variable(equations_[j].polynomial, axis),
+                                                           symbolic::hide_variable(equations_[i].polynomial, axis),
+                                                           options_.seed, context_));
+    return common;
   }
 
   Answer is_inside(const Pair& pair) {
@@ -295,8 +404,11 @@ class MapPair {
   const symbolic::CurvePiece& second_;
   const Options& options_;
   const Context& context_;
-  Polynomial component_{2};
-  std::array<Equation, 2> equations_;
+  Polynomial component_{2};  // 0 at first
+  /// Two in the plane, three in space.
+  std::vector<Equation> equations_;
+  /// More digits are needed to tell the zeros of two equations from those of three.
+  bool undecided_ = false;
   std::array<std::optional<UnivariatePolynomial>, 2> eliminants_;
   std::vector<Pair> pairs_;
   MapPairResult result_;

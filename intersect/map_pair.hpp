@@ -11,7 +11,7 @@
 
 namespace eliminant::intersect {
 
-/// What two maps of plane curves have in common.
+/// What two maps of curves have in common.
 struct MapPairResult {
   Status status = Status::numeric;  ///< certified or numeric, of the isolated solutions
   CurveCounts counts;               ///< without `inside` and `listed`
@@ -25,13 +25,15 @@ struct MapPairResult {
   std::vector<std::string> warnings;
 };
 
-/// All pairs of parameters (t, u) with the same point of the plane.
+/// All pairs of parameters (t, u) with the same point of the plane, or of space.
 ///
 /// The two moving lines p, q of a basis for the first curve Phi meet in Phi(t) for every t, so the pairs are the common
 /// zeros of p(t).Psi(u) and q(t).Psi(u) on the product of two projective lines, of bidegrees (mu, e) and (d - mu, e):
 /// d e of them, and the multiplicity of a pair is the intersection multiplicity of the two branches. They are solved as
 /// plane curves in up to four charts. Where the curves coincide the two equations have a common component, the
-/// correspondence of parameters.
+/// correspondence of parameters. In space there are three moving planes and three equations; of the common zeros of two
+/// combinations those are kept at which, exactly, the third vanishes too. There a transversal pair has multiplicity 1,
+/// and any other the multiplicity of the two combinations, which bounds it from above.
 /// Throws InvalidInput when one of the maps is constant.
 MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
                                  const Options& options, const Context& context);
