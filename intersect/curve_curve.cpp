@@ -70,11 +70,20 @@ class CurveCurve {
           for (CurveSolution& solution : *solutions) {
             if (t_seam && is_at(solution.t, first.pieces[i].domain->lower)) continue;
             if (u_seam && is_at(solution.u, second.pieces[j].domain->lower)) continue;
-            if (solutions == &part.touches && touches_overlap(solution)) continue;
+            if (solutions == &part.touches && (touches_overlap(solution) || is_listed(solution))) continue;
             result_.solutions.push_back(std::move(solution));
           }
         result_.overlap.insert(result_.overlap.end(), part.overlap.begin(), part.overlap.end());
       }
+  }
+
+  /// True when the two ends have been found as a solution.
+  bool is_listed(const CurveSolution& touch) const {
+    const auto at = [](const std::optional<Parameter>& a, const std::optional<Parameter>& exact) {
+      return a && a->has_value() == exact->has_value() && (!*a || is_at(a, *(*exact)->exact));
+    };
+    return std::any_of(result_.solutions.begin(), result_.solutions.end(),
+                       [&](const CurveSolution& other) { return at(other.t, touch.t) && at(other.u, touch.u); });
   }
 
   /// True when an overlap that was found already has this end.

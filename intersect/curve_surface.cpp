@@ -82,46 +82,87 @@ struct Inversion {
   SurfaceInversion inversion;
 };
 
+/// The same map over the projective plane: s / u and t / u for the two affine parameters.
+RationalSurface over_the_plane(const RationalSurface& surface) {
+  long degree = 0;
+  for (const Polynomial& f : surface.coordinates()) degree = std::max(degree, f.total_degree());
+  std::vector<Polynomial> forms;
+  for (const Polynomial& f : surface.coordinates()) {
+    std::vector<Polynomial::Term> terms = f.terms();
+    for (Polynomial::Term& term : terms)
+      term.exponents.push_back(static_cast<unsigned long>(degree) - term.exponents[0] - term.exponents[1]);
+    forms.push_back(Polynomial::from_terms(3, terms));
+  }
+  return {RationalSurface::Kind::triangular, std::move(forms)};
+}
+
 /// One piece of a surface, prepared for any number of curves: each engine's part when it is first asked.
+///
+/// A map of low total degree written as a tensor product has a base point at infinity in both parameters that is no
+/// local complete intersection; over the projective plane it often has none. The matrix engines then work there.
 class PreparedSurface {
  public:
   PreparedSurface(const SurfacePiece& surface_piece, std::uint64_t seed)
-      : piece(surface_piece), seed_(seed), ball_surface_(surface_piece.map), boxes_(surface_piece) {}
+      : piece(surface_piece), seed_(seed), boxes_(surface_piece) {}
 
   const PatchBoxes& boxes() const { return boxes_; }
-  const bridge::BallSurface& ball_surface() const { return ball_surface_; }
-  const MatrixRepresentation& matrix() { return smallest().matrix; }
+  /// The map that the matrix engines use, and what belongs to it.
+  const RationalSurface& map() {
+    settle();
+    return over_the_plane_ ? *over_the_plane_ : piece.map;
+  }
+  bool is_over_the_plane() {
+    settle();
+    return over_the_plane_.has_value();
+  }
+  const bridge::BallSurface& ball_surface() { return inversion_for(1).surface(); }
+  const MatrixRepresentation& matrix() {
+    settle();
+    return smallest_->matrix;
+  }
   /// For points with that many parameters.
   const SurfaceInversion& inversion_for(long parameters) {
-    if (parameters <= 1) return smallest().inversion;
+    settle();
+    if (parameters <= 1) return smallest_->inversion;
     auto& larger = larger_[parameters];
-    if (!larger) larger = std::make_unique<Inversion>(piece.map, parameters);
+    if (!larger) larger = std::make_unique<Inversion>(map(), parameters);
     return larger->inversion;
   }
   const SurfacePencil& pencil() {
-    if (!pencil_) pencil_ = std::make_unique<SurfacePencil>(matrix(), smallest().inversion);
+    if (!pencil_) pencil_ = std::make_unique<SurfacePencil>(matrix(), inversion_for(1));
     return *pencil_;
   }
   const symbolic::ImplicitDegree& degree() {
-    if (!degree_) degree_ = symbolic::implicit_degree(piece.map, matrix(), seed_);
-    return *degree_;
+    settle();
+    return degree_;
   }
 
   const SurfacePiece& piece;
 
  private:
-  const Inversion& smallest() {
-    if (!smallest_) smallest_ = std::make_unique<Inversion>(piece.map, 1);
-    return *smallest_;
+  void settle() {
+    if (smallest_) return;
+    smallest_ = std::make_unique<Inversion>(piece.map, 1);
+    if (smallest_->matrix.columns() >= smallest_->matrix.rows())
+      degree_ = symbolic::implicit_degree(piece.map, smallest_->matrix, seed_);
+    if (degree_.proven || piece.map.kind() == RationalSurface::Kind::triangular) return;
+    const RationalSurface other = over_the_plane(piece.map);
+    auto inversion = std::make_unique<Inversion>(other, 1);
+    if (inversion->matrix.columns() < inversion->matrix.rows()) return;
+    const symbolic::ImplicitDegree degree = symbolic::implicit_degree(other, inversion->matrix, seed_);
+    if (!degree.proven) return;
+    over_the_plane_ = other;
+    smallest_ = std::move(inversion);
+    degree_ = degree;
   }
 
   std::uint64_t seed_;
-  bridge::BallSurface ball_surface_;
   PatchBoxes boxes_;
+  std::optional<RationalSurface> over_the_plane_;
   std::unique_ptr<Inversion> smallest_;
   std::unique_ptr<SurfacePencil> pencil_;
   std::map<long, std::unique_ptr<Inversion>> larger_;
-  std::optional<symbolic::ImplicitDegree> degree_;
+  symbolic::ImplicitDegree degree_;
 };
 
 /// One piece of the curve with one piece of the surface.
@@ -142,6 +183,10 @@ class PiecePair {
     if (options_.field == Field::complex) return false;
     auto solutions = surface_.boxes().solve(curve_, options_, context_);
     if (!solutions) return false;
+    // Two sheets at one t are one solution, if it is one t.
+    for (std::size_t i = 0; i < solutions->size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (acb_overlaps((*(*solutions)[i].t)->ball.get(), (*(*solutions)[j].t)->ball.get()) != 0) return false;
     CurveCounts counts;
     counts.distinct = counts.real = counts.with_multiplicity = static_cast<unsigned long>(solutions->size());
     counts.within_domains_only = true;
@@ -156,7 +201,7 @@ class PiecePair {
   /// The pencil engine answers where all solutions are simple, which their number proves.
   bool solve_by_pencil() {
     if (options_.engine != Engine::automatic && options_.engine != Engine::pencil) return false;
-    if (surface_.matrix().columns() < surface_.matrix().rows()) return false;
+    if (surface_.matrix().columns() < surface_.matrix().rows() || surface_.is_over_the_plane()) return false;
     const symbolic::ImplicitDegree& degree = surface_.degree();
     if (!degree.proven || degree.map_degree != 1) return false;
     const auto expected = static_cast<unsigned long>(degree.product * curve_.map.degree());
@@ -229,11 +274,16 @@ class PiecePair {
       throw LimitReached("the base points of the surface leave no matrix representation by moving planes");
     // Without base points the smallest representation is square.
     std::optional<ParameterForm> resultant;
-    if (m.columns() == m.rows() && surface_.degree().proven)
+    if (m.columns() == m.rows() && surface_.degree().proven && !surface_.is_over_the_plane())
       resultant = symbolic::surface_resultant_on_curve(surface_.piece.map, curve_.map, options_.seed, context_);
     ParameterForm condition =
         resultant ? *resultant : symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
     if (condition.finite.is_zero()) {
+      if (!surface_.degree().proven && !is_contained()) {
+        result_.status = Status::numeric;
+        warn("the curve lies in a plane that belongs to a base point of the surface: its intersections are not known");
+        return;
+      }
       add_contained_curve();
       return;
     }
@@ -295,7 +345,10 @@ class PiecePair {
 
   /// Whether the point lies on that curve of the surface, decided exactly.
   bool on_border(const PointOnCurve& point, std::size_t group, const std::optional<Rational>& value) {
-    const ParameterForm& condition = border_condition(group, value);
+    return satisfies(point, border_condition(group, value));
+  }
+
+  static bool satisfies(const PointOnCurve& point, const ParameterForm& condition) {
     if (condition.finite.is_zero()) return true;
     if (point.exact_t) {
       Rational at;
@@ -455,21 +508,34 @@ class PiecePair {
     }
     std::vector<Parameter> result;
     for (std::size_t group = 0; group < 2; ++group) {
-      ComplexBall numerator = parameters[2 * group];
-      const ComplexBall& denominator = parameters[2 * group + 1];
+      const auto [above, below] = fraction(group);
+      ComplexBall numerator = parameters[above];
+      const ComplexBall& denominator = parameters[below];
       if (acb_contains_zero(denominator.get()) != 0) {
-        if (!on_border(point, group, std::nullopt)) return std::nullopt;
+        if (!at_infinity(point, group)) return std::nullopt;
         result.emplace_back(std::nullopt);
         continue;
       }
       if (acb_contains_zero(numerator.get()) != 0 && on_border(point, group, Rational(0))) acb_zero(numerator.get());
       acb_div(numerator.get(), numerator.get(), denominator.get(), point.precision_bits);
-      if (point.real && surface_.degree().map_degree == 1) arb_zero(numerator.imaginary());
       Parameter printed = print_value(numerator, options_.digits, radius_exponent);
       if (!printed) return std::nullopt;
       result.push_back(std::move(printed));
     }
     return result;
+  }
+
+  /// The homogeneous parameters of which an affine one is the quotient.
+  std::pair<std::size_t, std::size_t> fraction(std::size_t group) {
+    return surface_.is_over_the_plane() ? std::pair(group, std::size_t{2}) : std::pair(2 * group, 2 * group + 1);
+  }
+
+  /// Whether the point lies on the curve of the surface where that affine parameter is infinite.
+  bool at_infinity(const PointOnCurve& point, std::size_t group) {
+    if (!surface_.is_over_the_plane()) return on_border(point, group, std::nullopt);
+    if (!line_at_infinity_)
+      line_at_infinity_ = meeting_condition(symbolic::border_curve(surface_.map(), 2, Rational(0)));
+    return satisfies(point, *line_at_infinity_);
   }
 
   Answer is_within(const HomogeneousParameters& parameters, const PointOnCurve& point) {
@@ -490,7 +556,8 @@ class PiecePair {
     if (region.triangle) {
       ComplexBall sum;
       for (const ComplexBall& parameter : parameters) acb_add(sum.get(), sum.get(), parameter.get(), bits);
-      if (acb_contains_zero(sum.get()) != 0) return Answer::unknown;
+      // Within the triangle none is negative, and the largest is 1.
+      if (acb_contains_zero(sum.get()) != 0) return Answer::no;
       for (std::size_t k = 0; k < 3; ++k) {
         ComplexBall barycentric;
         acb_div(barycentric.get(), parameters[k].get(), sum.get(), bits);
@@ -500,9 +567,16 @@ class PiecePair {
     }
     for (std::size_t group = 0; group < 2; ++group) {
       ComplexBall value;
-      if (acb_contains_zero(parameters[2 * group + 1].get()) != 0)
-        return on_border(point, group, std::nullopt) ? Answer::no : Answer::unknown;
-      acb_div(value.get(), parameters[2 * group].get(), parameters[2 * group + 1].get(), bits);
+      // The quotient by a denominator near 0 is beyond the sides: the numerator is exactly 1 then.
+      const symbolic::Interval& side = region.sides[group];
+      bridge::RealBall reach(side.lower * side.lower + side.upper * side.upper + Rational(1), bits);
+      bridge::RealBall size;
+      acb_abs(size.get(), parameters[fraction(group).second].get(), bits);
+      arb_mul(size.get(), size.get(), reach.get(), bits);
+      arb_sub_ui(size.get(), size.get(), 1, bits);
+      if (arb_is_negative(size.get()) != 0) return Answer::no;
+      if (acb_contains_zero(parameters[fraction(group).second].get()) != 0) return Answer::unknown;
+      acb_div(value.get(), parameters[fraction(group).first].get(), parameters[fraction(group).second].get(), bits);
       for (const bool lower : {true, false}) {
         const Rational& border = lower ? region.sides[group].lower : region.sides[group].upper;
         bridge::RealBall end(border, bits);
@@ -576,6 +650,20 @@ class PiecePair {
         opened_at = cuts[k];
       }
     }
+  }
+
+  /// Whether a general point of the curve has parameters on the surface, and not only a base point in its kernel.
+  bool is_contained() {
+    PointOnCurve point;
+    point.precision_bits = 256;
+    for (const Rational& coordinate : curve_.map.at(Rational(symbolic::Integer(355), symbolic::Integer(113)))) {
+      ComplexBall& ball = point.coordinates.emplace_back();
+      arb_set_fmpq(ball.real(), coordinate.get(), point.precision_bits);
+    }
+    const auto found = surface_.inversion_for(1).preimages(point.coordinates, surface_.matrix().rows(),
+                                                           surface_.degree().map_degree, point.precision_bits);
+    return found && std::any_of(found->parameters.begin(), found->parameters.end(),
+                                [&](const HomogeneousParameters& p) { return !is_base_point(p, point); });
   }
 
   std::vector<std::pair<std::size_t, Rational>> borders_of_region() const {
@@ -674,6 +762,7 @@ class PiecePair {
   const Context& context_;
   CurveResult& result_;
   std::map<std::pair<std::size_t, std::string>, ParameterForm> borders_;
+  std::optional<ParameterForm> line_at_infinity_;
   ParameterForm minors_;
   bool overlap_certified_ = true;
 };

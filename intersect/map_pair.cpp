@@ -79,6 +79,9 @@ struct Pair {
 
 enum class Answer { yes, no, unknown };
 
+/// Significant bits of a ball; those of an exact one have no end.
+long accuracy(const ComplexBall& z) { return std::clamp<long>(acb_rel_accuracy_bits(z.get()), 0, 1L << 20); }
+
 struct Moebius;
 
 class MapPair {
@@ -317,7 +320,7 @@ class MapPair {
       solution.point = print_exact_point(exact, options_.digits, solution.radius_exponent);
       return true;
     }
-    const long precision_bits = 2 * bits_for_digits(options_.digits) + acb_rel_accuracy_bits(pair.t->get());
+    const long precision_bits = 2 * bits_for_digits(options_.digits) + accuracy(*pair.t);
     std::vector<ComplexBall> coordinates;
     for (const UnivariatePolynomial& f : first_.map.coordinates())
       coordinates.push_back(evaluate(f, *pair.t, precision_bits));
@@ -331,7 +334,7 @@ class MapPair {
 
   /// Whether g is 0 at the parameter in this ball, of which the eliminant knows that it is one of its roots.
   Answer vanishes(const UnivariatePolynomial& g, const ComplexBall& at, std::size_t axis) {
-    const long precision_bits = acb_rel_accuracy_bits(at.get()) + 128;
+    const long precision_bits = accuracy(at) + 128;
     if (acb_contains_zero(evaluate(g, at, precision_bits).get()) == 0) return Answer::no;
     const UnivariatePolynomial& all = eliminant(axis);
     const UnivariatePolynomial common = symbolic::gcd(all, g);
@@ -360,11 +363,15 @@ class MapPair {
   UnivariatePolynomial common_resultant(std::size_t axis) const {
     UnivariatePolynomial common;
     for (std::size_t i = 0; i < equations_.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        common = symbolic::gcd(common, symbolic::resultant(symbolic::hide_variable(equations_[j].polynomial, axis),
-                                                           symbolic::hide_variable(equations_[i].polynomial, axis),
-                                                           options_.seed, context_));
-    return common;
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto of = [&](std::size_t k) { return symbolic::hide_variable(equations_[k].polynomial, axis); };
+        common = symbolic::gcd(common, symbolic::resultant(of(j), of(i), options_.seed, context_));
+      }
+    // And of those whose other parameter is infinite.
+    UnivariatePolynomial at_infinity;
+    for (const Equation& equation : equations_)
+      at_infinity = symbolic::gcd(at_infinity, equation.reversed(1 - axis).at_zero(1 - axis));
+    return at_infinity.is_zero() ? common : common * at_infinity;
   }
 
   Answer is_inside(const Pair& pair) {
@@ -383,7 +390,7 @@ class MapPair {
       UnivariatePolynomial linear;
       fmpz_poly_set_coeff_fmpz(linear.get(), 1, fmpq_denref(end.get()));
       fmpz_poly_set_coeff_fmpz(linear.get(), 0, (-end.numerator()).get());
-      const long precision_bits = acb_rel_accuracy_bits(value->get()) + 128;
+      const long precision_bits = accuracy(*value) + 128;
       const ComplexBall difference = evaluate(linear, *value, precision_bits);
       if (arb_is_positive(difference.real()) != 0) {
         if (!lower) return Answer::no;
@@ -450,9 +457,9 @@ void MapPair::find_overlap() {
       // A correspondence that is not one to one: some of its real points may lie in the domains.
       if (factor.degree(0) == 0 || factor.degree(1) == 0) continue;
       Overlap overlap;
-      if (first_.domain || second_.domain) {
+      if (first_.domain || second_.domain || real_only()) {
         result_.warnings.emplace_back(
-            "the curves coincide, with several parameters for one point: where within the domains is not known");
+            "the curves coincide, with several parameters for one point: which real parts coincide is not known");
         result_.status = Status::numeric;
       } else {
         overlap.certified = true;

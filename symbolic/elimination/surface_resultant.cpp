@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdlib>
 
 #include <eliminant/symbolic/elimination/modular_matrix.hpp>
 #include <eliminant/symbolic/matrices/moving_planes.hpp>
