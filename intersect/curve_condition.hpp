@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
+#include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/curve_result.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/parameter_roots.hpp>
@@ -59,6 +60,18 @@ bool is_at(const std::optional<Parameter>& parameter, const symbolic::Rational& 
 /// Adds up counts, and what else a part of a problem says.
 void add_part(Status status, const CurveCounts& counts, const EngineReport& engine,
               const std::vector<std::string>& warnings, CurveResult& result);
+
+/// Solves with twice as many digits until the printed boxes are disjoint.
+template <class Solve>
+CurveResult with_enough_digits(const Options& options, Solve solve) {
+  constexpr int most_doublings = 8;
+  Options more = options;
+  for (int doubling = 0;; ++doubling) {
+    CurveResult result = solve(more);
+    if (doubling == most_doublings || !crowded(result.solutions)) return result;
+    more.digits *= 2;
+  }
+}
 
 /// Sorts, counts what is listed, and settles the status.
 void finish(const Options& options, CurveResult& result);

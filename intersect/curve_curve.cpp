@@ -179,11 +179,15 @@ class CurveCurve {
   CurveResult result_;
 };
 
+CurveResult solve_once(const CurveCurveProblem& problem, const Options& options, const Context& context) {
+  symbolic::install_flint_error_handler();
+  return CurveCurve(options, context).run(problem);
+}
+
 }  // namespace
 
 CurveResult intersect_curve_curve(const CurveCurveProblem& problem, const Options& options, const Context& context) {
-  symbolic::install_flint_error_handler();
-  return CurveCurve(options, context).run(problem);
+  return with_enough_digits(options, [&](const Options& more) { return solve_once(problem, more, context); });
 }
 
 }  // namespace eliminant::intersect

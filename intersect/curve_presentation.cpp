@@ -2,6 +2,7 @@
 #include <eliminant/intersect/curve_presentation.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <eliminant/bridge/decimal.hpp>
@@ -84,6 +85,46 @@ std::vector<Coordinate> print_exact_point(const std::vector<Rational>& coordinat
                                    [&](std::size_t k) { return coordinates[k].is_zero(); }))
       return *std::move(printed);
   }
+}
+
+bool crowded(const std::vector<CurveSolution>& solutions) {
+  const auto radius = [](const CurveSolution& s) {
+    return bridge::Decimal{symbolic::Integer(1), s.radius_exponent}.to_rational();
+  };
+  const auto apart = [](const std::optional<Parameter>& a, const std::optional<Parameter>& b, const Rational& reach) {
+    if (!a || !b || a->has_value() != b->has_value()) return a.has_value() && b.has_value();
+    if (!*a) return false;
+    const std::array<Rational, 2> first = key(**a);
+    const std::array<Rational, 2> second = key(**b);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Rational difference = first[k] - second[k];
+      if (reach < difference || reach < -difference) return true;
+    }
+    return false;
+  };
+  const auto meet = [&](const CurveSolution& a, const CurveSolution& b) {
+    const Rational reach = radius(a) + radius(b);
+    if (apart(a.t, b.t, reach) || apart(a.u, b.u, reach)) return false;
+    for (std::size_t k = 0; k < std::min(a.point.size(), b.point.size()); ++k)
+      if (apart(Parameter(a.point[k]), Parameter(b.point[k]), reach)) return false;
+    if (a.surface_parameters.empty() || b.surface_parameters.empty()) return true;
+    for (std::size_t k = 0; k < a.surface_parameters.front().size(); ++k)
+      if (apart(a.surface_parameters.front()[k], b.surface_parameters.front()[k], reach)) return false;
+    return true;
+  };
+  // Sorted by t: only neighbours in its real part can meet.
+  const auto real_part = [](const CurveSolution& s) {
+    return s.t && *s.t ? arf_get_d(arb_midref((*s.t)->ball.real()), ARF_RND_NEAR) : 0.0;
+  };
+  for (std::size_t i = 0; i < solutions.size(); ++i)
+    for (std::size_t j = i + 1; j < solutions.size(); ++j) {
+      constexpr double near = 1e-6;
+      if (std::fabs(real_part(solutions[j]) - real_part(solutions[i])) >
+          near * (1 + std::fabs(real_part(solutions[i]))))
+        continue;
+      if (meet(solutions[i], solutions[j])) return true;
+    }
+  return false;
 }
 
 void sort_solutions(std::vector<CurveSolution>& solutions) {

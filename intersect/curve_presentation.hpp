@@ -28,6 +28,9 @@ std::vector<Coordinate> print_exact_point(const std::vector<symbolic::Rational>&
 std::optional<std::vector<Coordinate>> print_normalized(const std::vector<bridge::ComplexBall>& coordinates,
                                                         long digits, long& radius_exponent);
 
+/// True when the printed boxes of two solutions meet: more digits are needed to tell them apart.
+bool crowded(const std::vector<CurveSolution>& solutions);
+
 /// By (Re t, Im t), infinity last, then the same of u.
 void sort_solutions(std::vector<CurveSolution>& solutions);
 

@@ -828,10 +828,7 @@ void merge_pieces(CurveResult& result, const Context& context) {
   result.overlap = std::move(overlaps);
 }
 
-}  // namespace
-
-CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Options& options,
-                                    const Context& context) {
+CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& options, const Context& context) {
   symbolic::install_flint_error_handler();
   const auto start = std::chrono::steady_clock::now();
   CurveResult result;
@@ -874,6 +871,13 @@ CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Op
   finish(options, result);
   result.seconds.emplace_back("total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return result;
+}
+
+}  // namespace
+
+CurveResult intersect_curve_surface(const CurveSurfaceProblem& problem, const Options& options,
+                                    const Context& context) {
+  return with_enough_digits(options, [&](const Options& more) { return solve_once(problem, more, context); });
 }
 
 }  // namespace eliminant::intersect

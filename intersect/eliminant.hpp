@@ -6,7 +6,9 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
+#include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/result.hpp>
+#include <eliminant/intersect/surface_representation.hpp>
 #include <eliminant/version.hpp>

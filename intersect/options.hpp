@@ -30,6 +30,8 @@ struct Options {
   bool certify = true;
   /// Write a certificate of the result (Result::certificate).
   bool certificate = false;
+  /// Compute the implicit equation, too (implicitize).
+  bool equation = false;
   /// Seeds the choice of primes. The answer does not depend on it.
   std::uint64_t seed = 0;
   /// Worker threads; the answer does not depend on it.
