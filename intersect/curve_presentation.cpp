@@ -128,6 +128,13 @@ bool crowded(const std::vector<CurveSolution>& solutions) {
 }
 
 void sort_solutions(std::vector<CurveSolution>& solutions) {
+  const auto before = [](const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+      if (const int order = compare(a[k], b[k]); order != 0) return order < 0;
+    return false;
+  };
+  for (CurveSolution& solution : solutions)
+    std::stable_sort(solution.surface_parameters.begin(), solution.surface_parameters.end(), before);
   std::stable_sort(solutions.begin(), solutions.end(), [](const CurveSolution& a, const CurveSolution& b) {
     const int by_t = compare(a.t, b.t);
     return by_t != 0 ? by_t < 0 : compare(a.u, b.u) < 0;

@@ -31,7 +31,7 @@ std::optional<std::vector<Coordinate>> print_normalized(const std::vector<bridge
 /// True when the printed boxes of two solutions meet: more digits are needed to tell them apart.
 bool crowded(const std::vector<CurveSolution>& solutions);
 
-/// By (Re t, Im t), infinity last, then the same of u.
+/// By (Re t, Im t), infinity last, then the same of u; of each solution the parameters on the surface likewise.
 void sort_solutions(std::vector<CurveSolution>& solutions);
 
 template <class Vanishes>
