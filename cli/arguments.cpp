@@ -13,7 +13,7 @@ namespace eliminant::cli {
 
 namespace {
 
-constexpr std::array later_commands{"implicitize", "batch", "report"};
+constexpr std::array later_commands{"batch", "report"};
 
 struct OptionText {
   const char* name;
@@ -34,11 +34,12 @@ constexpr std::array<OptionText, 10> valued_options{{
     {"memory-limit", "MB", "address space of the process in megabytes"},
     {"seed", "N", "seed of the choice of primes (default 0); the answer does not depend on it"},
 }};
-constexpr std::array<OptionText, 4> switches{{
+constexpr std::array<OptionText, 5> switches{{
     {"real", "", "list the real solutions only"},
     {"complex", "", "list all complex solutions (default without a box)"},
     {"certify", "", "prove each solution and the completeness of the list (default)"},
     {"no-certify", "", "leave the proofs out"},
+    {"equation", "", "implicitize: the implicit equation, too"},
 }};
 
 void add_common_options(CLI::App& app, Arguments& arguments) {
@@ -73,7 +74,7 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
 std::variant<Arguments, Information> parse_arguments(const std::vector<std::string>& words) {
   if (!words.empty() && std::find(later_commands.begin(), later_commands.end(), words.front()) != later_commands.end())
     throw UsageError("the command " + words.front() +
-                     " is not supported by this version; expected solve, curves or verify");
+                     " is not supported by this version; expected solve, curves, verify or implicitize");
 
   Arguments arguments;
   CLI::App app("Intersections of curves and surfaces by resultant matrices.", "eliminant");
@@ -98,7 +99,13 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
                    "how far a candidate may be from its solution, each coordinate relative to max(1, its modulus) "
                    "(default 1e-6)")
       ->type_name("T");
-  for (CLI::App* command : {&app, solve, curves, verify}) add_common_options(*command, arguments);
+  CLI::App* const implicitize =
+      app.add_subcommand("implicitize", "matrix representation of the rational curve or surface in a file");
+  implicitize
+      ->add_option("FILE", arguments.file,
+                   "JSON: the problem implicitize, {\"curve\": ...}, {\"surface\": ...}, or a curve or surface itself")
+      ->required();
+  for (CLI::App* command : {&app, solve, curves, verify, implicitize}) add_common_options(*command, arguments);
 
   // CLI11 takes the words from the back.
   std::vector<std::string> reversed = protect_polynomials(words, *curves);
@@ -114,9 +121,10 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + "; see eliminant --help");
   }
-  arguments.command = solve->parsed()    ? Arguments::Command::solve
-                      : curves->parsed() ? Arguments::Command::curves
-                                         : Arguments::Command::verify;
+  arguments.command = solve->parsed()         ? Arguments::Command::solve
+                      : curves->parsed()      ? Arguments::Command::curves
+                      : implicitize->parsed() ? Arguments::Command::implicitize
+                                              : Arguments::Command::verify;
   if (verify->parsed() && arguments.candidates.has_value() == arguments.certificate.has_value())
     throw UsageError("verify checks either CANDIDATES or --certificate FILE; see eliminant verify --help");
   if (!verify->parsed() && arguments.certificate && arguments.certificate == arguments.output)

@@ -15,6 +15,7 @@
 #include <eliminant/intersect/certificate_check.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
+#include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/io/candidates_file.hpp>
@@ -23,6 +24,8 @@
 #include <eliminant/io/curve_result_json.hpp>
 #include <eliminant/io/curve_result_text.hpp>
 #include <eliminant/io/error_report.hpp>
+#include <eliminant/io/implicitize_json.hpp>
+#include <eliminant/io/implicitize_text.hpp>
 #include <eliminant/io/input_text.hpp>
 #include <eliminant/io/memory_limit.hpp>
 #include <eliminant/io/plane_curves_input.hpp>
@@ -60,6 +63,7 @@ class Interruptible {
 const char* kind_of(const intersect::PlaneCurvesProblem& /*problem*/) { return "plane_curves"; }
 const char* kind_of(const intersect::CurveSurfaceProblem& /*problem*/) { return "curve_surface"; }
 const char* kind_of(const intersect::CurveCurveProblem& /*problem*/) { return "curve_curve"; }
+const char* kind_of(const intersect::ImplicitizeProblem& /*problem*/) { return "implicitize"; }
 
 void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
 
@@ -88,6 +92,9 @@ class Run {
         return 0;
       }
       const bool verifying = arguments_.command == Arguments::Command::verify;
+      if (arguments_.command == Arguments::Command::implicitize && kind_ != "implicitize")
+        throw InvalidInput("implicitize is for one curve or surface, the problem is of the kind " + *kind_,
+                           "a problem of the kind implicitize, or the command solve");
       return std::visit([&](const auto& problem) { return verifying ? verify(problem) : solve(problem); },
                         file.problem);
     } catch (const io::OutputError&) {
@@ -111,6 +118,8 @@ class Run {
       io::require_text(arguments_.q, "Q");
       return io::problem_from_arguments(arguments_.p, arguments_.q, arguments_.box, settings);
     }
+    const bool implicitizing = arguments_.command == Arguments::Command::implicitize;
+    settings.bare_geometry = implicitizing;
     const std::string text = io::read_text(arguments_.file);
     source_ = arguments_.file == "-" ? "standard input" : arguments_.file;
     const io::ProblemSyntax syntax = io::problem_syntax(arguments_.file, text);
@@ -118,6 +127,7 @@ class Run {
       return io::read_problem(text, syntax, settings, &id_);
     } catch (...) {
       kind_ = io::stated_kind(text, syntax);
+      if (!kind_ && implicitizing) kind_ = "implicitize";
       throw;
     }
   }
@@ -169,6 +179,17 @@ class Run {
         [&](const Context& context) { return intersect::intersect_curve_curve(problem, options_.solve, context); });
     announce(result, result.status == intersect::Status::infinite ? "the curves coincide" : "");
     give(print(result));
+    return exit_status(result.status);
+  }
+
+  int solve(const intersect::ImplicitizeProblem& problem) {
+    refuse_certificate();
+    if (options_.format == io::Format::csv)
+      throw InvalidInput("implicitize cannot answer in the format csv", "--format text or json");
+    const intersect::ImplicitizeResult result =
+        watched([&](const Context& context) { return intersect::implicitize(problem, options_.solve, context); });
+    announce(result, "");
+    give(options_.format == io::Format::json ? io::implicitize_json(result, id_) : io::implicitize_text(result));
     return exit_status(result.status);
   }
 

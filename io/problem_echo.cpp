@@ -93,10 +93,17 @@ void echo(Json& out, const intersect::CurveCurveProblem& problem) {
   out["second"] = geometry_json(problem.second);
 }
 
+void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
+  if (const auto* curve = std::get_if<symbolic::ParametricCurve>(&problem.geometry))
+    out["curve"] = pieces_json(*curve);
+  else
+    out["surface"] = pieces_json(std::get<symbolic::ParametricSurface>(problem.geometry));
+}
+
 }  // namespace
 
 std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  constexpr std::array kinds{"plane_curves", "curve_surface", "curve_curve"};
+  constexpr std::array kinds{"plane_curves", "curve_surface", "curve_curve", "implicitize"};
   Json out;
   out["problem"] = kinds[file.problem.index()];
   if (file.id) std::visit([&](const auto& id) { out["id"] = id; }, *file.id);

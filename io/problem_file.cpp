@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <eliminant/io/curve_input.hpp>
+#include <eliminant/io/implicitize_input.hpp>
 #include <eliminant/io/json_fields.hpp>
 #include <eliminant/io/json_text.hpp>
 #include <eliminant/io/ms_file.hpp>
@@ -28,16 +29,17 @@ struct ProblemFields {
   std::vector<const char*> fields;
 };
 
-const std::array<ProblemFields, 3>& problem_fields() {
-  static const std::array<ProblemFields, 3> kinds{{
+const std::array<ProblemFields, 4>& problem_fields() {
+  static const std::array<ProblemFields, 4> kinds{{
       {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
       {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
       {"curve_curve", {"problem", "first", "second", "id", "options"}},
+      {"implicitize", {"problem", "curve", "surface", "id", "options"}},
   }};
   return kinds;
 }
 
-constexpr const char* known_kinds = "\"plane_curves\", \"curve_surface\" or \"curve_curve\"";
+constexpr const char* known_kinds = "\"plane_curves\", \"curve_surface\", \"curve_curve\" or \"implicitize\"";
 constexpr std::array later_problems{"surface_surface", "self_intersection", "curve_topology", "cylinders",
                                     "cylinder_extraction"};
 
@@ -69,6 +71,10 @@ class Reader {
     if (root.kind != Kind::object)
       refuse(root, "the problem is " + describe(root), "an object such as {\"problem\": \"plane_curves\", ...}");
     const JsonValue* problem = root.find("problem");
+    if (problem == nullptr && settings_.bare_geometry) {
+      if (!is_bare()) check_fields(problem_fields().back().fields);
+      return "implicitize";
+    }
     if (problem == nullptr)
       refuse(root, "the field \"problem\" is missing", "\"problem\": \"plane_curves\" or another kind");
     if (problem->kind != Kind::text) refuse(*problem, "\"problem\" is " + describe(*problem), known_kinds);
@@ -106,6 +112,11 @@ class Reader {
     const JsonValue& second = geometry("second", "a curve");
     auto curves = read_curve_pair(fields_, first, second);
     return {std::move(curves[0]), std::move(curves[1])};
+  }
+
+  intersect::ImplicitizeProblem implicitize() const {
+    refuse_variables();
+    return is_bare() ? read_bare_geometry(fields_, document_.root()) : read_implicitize(fields_, document_.root());
   }
 
   PolynomialText polynomial(const char* name) const {
@@ -170,10 +181,20 @@ class Reader {
     }
   }
 
-  const JsonValue& geometry(const std::string& name, const std::string& expected) const {
+  // A curve or surface itself.
+  bool is_bare() const {
+    const JsonValue& root = document_.root();
+    return root.find("problem") == nullptr && root.find("curve") == nullptr && root.find("surface") == nullptr;
+  }
+
+  void refuse_variables() const {
     if (settings_.variables)
       throw InvalidInput("variables are given for a problem with curves and surfaces",
                          "parameters are named in the problem");
+  }
+
+  const JsonValue& geometry(const std::string& name, const std::string& expected) const {
+    refuse_variables();
     return fields_.member(document_.root(), name, expected);
   }
 
@@ -214,8 +235,10 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
     result.problem = reader.plane_curves();
   else if (kind == "curve_surface")
     result.problem = reader.curve_surface();
-  else
+  else if (kind == "curve_curve")
     result.problem = reader.curve_curve();
+  else
+    result.problem = reader.implicitize();
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <eliminant/intersect/curve_problems.hpp>
+#include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/io/run_options.hpp>
 #include <eliminant/symbolic/arithmetic/limits.hpp>
@@ -16,9 +17,9 @@ namespace eliminant::io {
 /// What the author of a problem calls it; repeated in the result.
 using ProblemId = std::variant<std::string, long>;
 
-/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve".
-using Problem =
-    std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem>;
+/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "implicitize".
+using Problem = std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem,
+                             intersect::CurveCurveProblem, intersect::ImplicitizeProblem>;
 
 /// A problem and what its author chose for it.
 struct ProblemFile {
@@ -34,6 +35,8 @@ struct ReadSettings {
   /// In place of the variables of the file.
   std::optional<std::vector<std::string>> variables;
   symbolic::Limits limits;
+  /// A text without "problem" is one for implicitize: {"curve": ...}, {"surface": ...}, or a curve or surface itself.
+  bool bare_geometry = false;
 };
 
 /// msolve for the name `*.ms`; else by the first character: JSON begins with "{" or "[", and has quotes.

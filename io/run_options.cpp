@@ -13,8 +13,9 @@ namespace eliminant::io {
 
 namespace {
 
-constexpr std::array known_names{"format",  "digits",  "engine",     "matrix",  "precision",  "epsilon",      "real",
-                                 "complex", "certify", "no-certify", "threads", "time-limit", "memory-limit", "seed"};
+constexpr std::array known_names{"format",   "digits",  "engine",     "matrix",       "precision",
+                                 "epsilon",  "real",    "complex",    "certify",      "no-certify",
+                                 "equation", "threads", "time-limit", "memory-limit", "seed"};
 
 [[noreturn]] void refuse(const OptionSetting& setting, const std::string& expected) {
   throw InvalidInput("option " + setting.name + " is '" + setting.value.substr(0, 40) + "'", expected, setting.place);
@@ -97,6 +98,8 @@ void apply(RunOptions& options, const OptionSetting& setting) {
     solve.certify = switch_value(setting);
   } else if (name == "no-certify") {
     solve.certify = !switch_value(setting);
+  } else if (name == "equation") {
+    solve.equation = switch_value(setting);
   } else if (name == "threads") {
     solve.threads = whole_number<unsigned>(setting, 1, 1024);
   } else if (name == "time-limit") {
@@ -128,7 +131,7 @@ std::string shortest(double value) {
 std::span<const char* const> option_names() { return known_names; }
 
 bool is_switch(std::string_view name) {
-  return name == "real" || name == "complex" || name == "certify" || name == "no-certify";
+  return name == "real" || name == "complex" || name == "certify" || name == "no-certify" || name == "equation";
 }
 
 void apply_options(RunOptions& options, std::span<const OptionSetting> settings) {
@@ -163,6 +166,7 @@ std::vector<OptionSetting> settings_of(const RunOptions& options) {
   if (solve.field == Field::real) add("real", "true");
   if (solve.field == Field::complex) add("complex", "true");
   if (!solve.certify) add("certify", "false");
+  if (solve.equation) add("equation", "true");
   if (solve.threads != defaults.solve.threads) add("threads", std::to_string(solve.threads));
   if (options.time_limit_seconds) add("time-limit", shortest(*options.time_limit_seconds));
   if (options.memory_limit_megabytes) add("memory-limit", std::to_string(*options.memory_limit_megabytes));

@@ -9,6 +9,7 @@
 #include <eliminant/symbolic/elimination/modular_matrix.hpp>
 #include <eliminant/symbolic/elimination/representation_minors.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
+#include <eliminant/symbolic/matrices/representation_rank.hpp>
 
 namespace eliminant::symbolic {
 
@@ -246,11 +247,8 @@ ImplicitDegree implicit_degree(const RationalSurface& surface, const MatrixRepre
   if (first && second && !first->is_zero() && !second->is_zero())
     result.product = first->degree() - greatest_common_divisor(*first, *second, field).degree();
   result.proven = result.product == result.minors;
-  // On a general line the points of the surface are distinct, each as often as it has parameters.
-  const std::vector<unsigned long> profile = multiplicity_profile(on_line);
-  for (std::size_t k = profile.size(); k > 1; --k)
-    if (profile[k - 1] > 0 && static_cast<long>(k * profile[k - 1]) == on_line.degree())
-      result.map_degree = static_cast<long>(k);
+  // The kernel at a general point is spanned by the row monomials at each of its parameters.
+  result.map_degree = m.rows() - rank_on_modulo(m, surface, seed);
   return result;
 }
 

@@ -44,7 +44,9 @@ struct ImplicitDegree {
 };
 
 /// From below by two eliminants of three general curves of the linear system, whose common part is the base points;
-/// from above by the minors on a general line, which the surface to the power of the map's degree divides.
+/// from above by the minors on a general line, which the surface to the power of the map's degree divides. The degree
+/// of the map is the dimension of the kernel at a general point. Throws InvalidInput when there are fewer columns than
+/// rows.
 ImplicitDegree implicit_degree(const RationalSurface& surface, const MatrixRepresentation& m, std::uint64_t seed);
 
 /// S^k(Psi(t)), S the implicit equation and k the degree of the map, where the gcd of the minors holds more (embedded
