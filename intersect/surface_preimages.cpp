@@ -2,6 +2,8 @@
 #include <eliminant/intersect/surface_preimages.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <map>
 
 #include <Eigen/Dense>

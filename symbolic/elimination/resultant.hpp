@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include <eliminant/base/context.hpp>
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
 #include <eliminant/symbolic/elimination/prime_field.hpp>

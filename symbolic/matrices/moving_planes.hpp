@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include <eliminant/symbolic/geometry/rational_surface.hpp>
 #include <eliminant/symbolic/matrices/matrix_representation.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <random>
 
 #include <eliminant/bridge/descartes_isolation.hpp>

@@ -4,6 +4,8 @@
 // [LuuBuseMourrain2009].
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <eliminant/base/error.hpp>
 #include <eliminant/symbolic/elimination/representation_minors.hpp>
 #include <eliminant/symbolic/matrices/moving_planes.hpp>

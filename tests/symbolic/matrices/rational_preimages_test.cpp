@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <eliminant/base/error.hpp>
 #include <eliminant/symbolic/matrices/moving_planes.hpp>
 #include <eliminant/symbolic/matrices/rational_preimages.hpp>
