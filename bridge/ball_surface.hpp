@@ -24,21 +24,21 @@ class BallSurface {
   std::vector<std::vector<std::size_t>> groups() const;
   /// The homogeneous coordinates of the surface at these parameters.
   std::vector<ComplexBall> point_at(const HomogeneousParameters& parameters, long precision_bits) const;
-  /// Their derivatives by one of the homogeneous parameters.
-  std::vector<ComplexBall> derivative_at(const HomogeneousParameters& parameters, std::size_t by,
-                                         long precision_bits) const;
+  /// The coordinates and their derivatives by some of the homogeneous parameters, in one pass over the monomials.
+  struct Jet {
+    std::vector<ComplexBall> point;
+    std::vector<std::vector<ComplexBall>> derivatives;  ///< one for each parameter that was asked for
+  };
+  Jet jet_at(const HomogeneousParameters& parameters, const std::vector<std::size_t>& by, long precision_bits) const;
 
  private:
-  struct Term {
-    symbolic::Integer coefficient;
-    std::vector<unsigned long> exponents;  // of the homogeneous parameters
+  struct Monomial {
+    std::vector<unsigned long> exponents;         // of the homogeneous parameters
+    std::vector<symbolic::Integer> coefficients;  // in each coordinate
   };
 
-  std::vector<ComplexBall> values(const HomogeneousParameters& parameters, std::optional<std::size_t> by,
-                                  long precision_bits) const;
-
   bool tensor_product_;
-  std::vector<std::vector<Term>> coordinates_;
+  std::vector<Monomial> monomials_;
   std::vector<unsigned long> highest_;  // exponent of each homogeneous parameter
 };
 

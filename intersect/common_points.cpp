@@ -87,9 +87,9 @@ bridge::System common_point_system(const bridge::BallSurface& surface, const sym
                                                                        long precision_bits) {
     bridge::HomogeneousParameters here = parameters;
     for (std::size_t k = 0; k < 2; ++k) here[variables[k]] = at[k];
-    const Coordinates on_surface = surface.point_at(here, precision_bits);
-    const std::array<Coordinates, 2> partials{surface.derivative_at(here, variables[0], precision_bits),
-                                              surface.derivative_at(here, variables[1], precision_bits)};
+    const bridge::BallSurface::Jet jet = surface.jet_at(here, {variables[0], variables[1]}, precision_bits);
+    const Coordinates& on_surface = jet.point;
+    const std::vector<Coordinates>& partials = jet.derivatives;
     Coordinates on_curve;
     Coordinates tangent;
     for (std::size_t k = 0; k < 4; ++k) {
