@@ -413,12 +413,39 @@ class Subdivision {
 
 }  // namespace
 
-std::optional<SpaceBox> box_around(const ControlNet& net) {
-  Part whole{net, {}, {1, 1}, {}};
-  if (!bound(whole)) return std::nullopt;
-  SpaceBox box;
-  for (std::size_t k = 0; k < 3; ++k) box[k] = {whole.box[k].lower, whole.box[k].upper};
-  return box;
+bool excludes_point(const ControlNet& patch, const PointBox& point, const Context& context) {
+  const auto coordinate = [&](std::size_t k) { return Range{point[k][0], point[k][1]}; };
+  const auto apart = [&](const Part& part) {
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        bool positive = true;
+        bool negative = true;
+        for (std::size_t p = 0; p < part.net.coordinates[0].size() && (positive || negative); ++p) {
+          const auto control = [&](std::size_t k) {
+            const double value = part.net.coordinates[k][p];
+            return Range::widened(value - part.net.error, value + part.net.error);
+          };
+          const Range minor = control(i) * coordinate(j) - control(j) * coordinate(i);
+          positive = positive && minor.lower > 0;
+          negative = negative && minor.upper < 0;
+        }
+        if (positive || negative) return true;
+      }
+    return false;
+  };
+  std::vector<Part> open{Part{patch, {}, {1, 1}, {}}};
+  constexpr int most_parts = 4000;
+  for (int count = 0; !open.empty(); ++count) {
+    if (count > most_parts) return false;
+    if (count % 64 == 63) context.checkpoint("subdividing");
+    const Part part = std::move(open.back());
+    open.pop_back();
+    if (apart(part)) continue;
+    constexpr double smallest_width = 1e-6;
+    if (std::max(part.width[0], part.width[1]) < smallest_width) return false;
+    for (Part& half : halves(part, part.width[0] >= part.width[1] ? 0 : 1)) open.push_back(std::move(half));
+  }
+  return true;
 }
 
 std::optional<ControlNet> ControlNet::round(std::vector<std::size_t> degrees,

@@ -27,11 +27,13 @@ struct ControlNet {
                                          const std::array<std::vector<symbolic::Rational>, 4>& coordinates);
 };
 
-/// Lower and upper ends of an interval for each coordinate of affine space.
-using SpaceBox = std::array<std::array<double, 2>, 3>;
+/// Lower and upper ends of an interval for each homogeneous coordinate of a point.
+using PointBox = std::array<std::array<double, 2>, 4>;
 
-/// A box around all points of the curve or patch; nullopt when a weight may not be positive.
-std::optional<SpaceBox> box_around(const ControlNet& net);
+/// True when it is proven that no parameter in [0, 1]^2 has that point, whatever the signs of the weights: by
+/// subdivision, until a minor of both coordinate vectors has one sign on every part. False when that does not come
+/// soon.
+bool excludes_point(const ControlNet& patch, const PointBox& point, const Context& context);
 
 /// A box of parameters (u of the curve, s and t of the patch) that contains exactly one common point, a transversal
 /// one.

@@ -379,7 +379,7 @@ class PiecePair {
       if (within == Answer::yes) inside = Answer::yes;
     }
     if (!preimages->proven) {
-      if (inside == Answer::no && !surface_.boxes().excludes(point.coordinates, point.precision_bits))
+      if (inside == Answer::no && !(point.real && surface_.boxes().excludes(point.coordinates, context_)))
         inside = on_collapsed_border(point) ? Answer::yes : Answer::unknown;
       warn("not all parameters of a point of the surface could be proven; those that are not are left out");
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <eliminant/intersect/common_points.hpp>
 #include <eliminant/intersect/presentation.hpp>
@@ -82,20 +83,22 @@ Place place_in_unit(const ComplexBall& value) {
 PatchBoxes::PatchBoxes(const symbolic::SurfacePiece& piece)
     : piece_(piece), surface_(piece.map), net_(control_net(piece)) {}
 
-bool PatchBoxes::excludes(const std::vector<ComplexBall>& point, long precision_bits) const {
-  if (!net_ || acb_contains_zero(point[weight].get()) != 0) return false;
-  const std::optional<bridge::SpaceBox> box = bridge::box_around(*net_);
-  if (!box) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    ComplexBall coordinate;
-    acb_div(coordinate.get(), point[k].get(), point[weight].get(), precision_bits);
-    bridge::RealBall below;
-    bridge::RealBall above;
-    arb_set_d(below.get(), (*box)[k][0]);
-    arb_set_d(above.get(), (*box)[k][1]);
-    if (arb_lt(coordinate.real(), below.get()) != 0 || arb_gt(coordinate.real(), above.get()) != 0) return true;
+bool PatchBoxes::excludes(const std::vector<ComplexBall>& point, const Context& context) const {
+  if (!net_) return false;
+  double size = 0;
+  for (const ComplexBall& coordinate : point)
+    size = std::max(size, std::fabs(arf_get_d(arb_midref(coordinate.real()), ARF_RND_NEAR)));
+  constexpr double safe = 1e60;
+  if (!(size < safe) || !(size > 1 / safe)) return false;
+  bridge::PointBox box{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    bridge::RealBall end;
+    arb_get_lbound_arf(arb_midref(end.get()), point[k].real(), 64);
+    box[k][0] = arf_get_d(arb_midref(end.get()), ARF_RND_FLOOR);
+    arb_get_ubound_arf(arb_midref(end.get()), point[k].real(), 64);
+    box[k][1] = arf_get_d(arb_midref(end.get()), ARF_RND_CEIL);
   }
-  return false;
+  return bridge::excludes_point(*net_, box, context);
 }
 
 std::optional<std::vector<CurveSolution>> PatchBoxes::solve(const symbolic::CurvePiece& curve, const Options& options,

@@ -24,8 +24,8 @@ class PatchBoxes {
   std::optional<std::vector<CurveSolution>> solve(const symbolic::CurvePiece& curve, const Options& options,
                                                   const Context& context) const;
 
-  /// True when the point surely lies outside the box around the control points.
-  bool excludes(const std::vector<bridge::ComplexBall>& point, long precision_bits) const;
+  /// True when the real point is proven to lie on no part of the patch.
+  bool excludes(const std::vector<bridge::ComplexBall>& point, const Context& context) const;
 
  private:
   const symbolic::SurfacePiece& piece_;
