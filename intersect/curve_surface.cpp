@@ -20,6 +20,7 @@
 #include <eliminant/intersect/surface_pencil.hpp>
 #include <eliminant/intersect/surface_preimages.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+#include <eliminant/symbolic/elimination/implicit_equation.hpp>
 #include <eliminant/symbolic/elimination/surface_resultant.hpp>
 #include <eliminant/symbolic/geometry/border_curve.hpp>
 #include <eliminant/symbolic/matrices/moving_lines.hpp>
@@ -43,22 +44,24 @@ using symbolic::UnivariatePolynomial;
 
 enum class Answer { yes, no, unknown };
 
-/// f(x / w, y / w, z / w) w^degree along the curve.
-UnivariatePolynomial substitute(const RationalCurve& map, const Polynomial& equation) {
+/// The form F(x, y, z, w) of an equation f(x, y, z).
+Polynomial homogenized(const Polynomial& equation) {
   const auto degree = static_cast<unsigned long>(equation.total_degree());
-  const Polynomial integral = equation.primitive_part();
+  std::vector<Polynomial::Term> terms = equation.primitive_part().terms();
+  for (Polynomial::Term& term : terms)
+    term.exponents.push_back(degree - term.exponents[0] - term.exponents[1] - term.exponents[2]);
+  return Polynomial::from_terms(4, terms);
+}
+
+/// A form in (x, y, z, w) along the curve.
+ParameterForm along_curve(const RationalCurve& map, const Polynomial& form) {
   UnivariatePolynomial value;
-  const auto& f = map.coordinates();
-  for (const Polynomial::Term& term : integral.terms()) {
-    unsigned long weight = degree;
+  for (const Polynomial::Term& term : form.terms()) {
     UnivariatePolynomial product({term.coefficient.numerator()});
-    for (std::size_t k = 0; k < 3; ++k) {
-      product = product * symbolic::power(f[k], term.exponents[k]);
-      weight -= term.exponents[k];
-    }
-    value = value + product * symbolic::power(f[3], weight);
+    for (std::size_t k = 0; k < 4; ++k) product = product * symbolic::power(map.coordinates()[k], term.exponents[k]);
+    value = value + product;
   }
-  return value;
+  return {value, form.total_degree() * map.degree() - value.degree()};
 }
 
 /// A representation with row monomials of at least this degree in each group of parameters: of a bilinear surface and
@@ -103,8 +106,8 @@ RationalSurface over_the_plane(const RationalSurface& surface) {
 /// local complete intersection; over the projective plane it often has none. The matrix engines then work there.
 class PreparedSurface {
  public:
-  PreparedSurface(const SurfacePiece& surface_piece, std::uint64_t seed)
-      : piece(surface_piece), seed_(seed), boxes_(surface_piece) {}
+  PreparedSurface(const SurfacePiece& surface_piece, std::uint64_t seed, const Context& context)
+      : piece(surface_piece), seed_(seed), context_(context), boxes_(surface_piece) {}
 
   const PatchBoxes& boxes() const { return boxes_; }
   /// The map that the matrix engines use, and what belongs to it.
@@ -138,11 +141,33 @@ class PreparedSurface {
     return degree_;
   }
 
+  /// The implicit equation in (x, y, z, w), where the degree of the map or planes of base points have to be told apart
+  /// from the surface, and it is within reach.
+  const std::optional<Polynomial>& equation() {
+    settle();
+    return equation_;
+  }
+
   const SurfacePiece& piece;
 
  private:
   void settle() {
     if (smallest_) return;
+    choose_map();
+    if (degree_.proven && degree_.map_degree == 1) return;
+    try {
+      equation_ = symbolic::implicit_equation(map(), matrix(), degree_, seed_, context_);
+    } catch (const LimitReached&) {
+      context_.checkpoint("implicit equation");
+    } catch (const InvalidInput&) {
+      // The matrix represents nothing: there is no equation to be had from it.
+    }
+    // What is known of the degree of the map, and a lower bound else.
+    degree_.proven = degree_.proven && equation_.has_value();
+    degree_.map_degree = degree_.proven ? degree_.product / equation_->total_degree() : 1;
+  }
+
+  void choose_map() {
     smallest_ = std::make_unique<Inversion>(piece.map, 1);
     if (smallest_->matrix.columns() >= smallest_->matrix.rows())
       degree_ = symbolic::implicit_degree(piece.map, smallest_->matrix, seed_);
@@ -158,12 +183,14 @@ class PreparedSurface {
   }
 
   std::uint64_t seed_;
+  const Context& context_;
   PatchBoxes boxes_;
   std::optional<RationalSurface> over_the_plane_;
   std::unique_ptr<Inversion> smallest_;
   std::unique_ptr<SurfacePencil> pencil_;
   std::map<long, std::unique_ptr<Inversion>> larger_;
   symbolic::ImplicitDegree degree_;
+  std::optional<Polynomial> equation_;
 };
 
 /// One piece of the curve with one piece of the surface.
@@ -273,6 +300,21 @@ class PiecePair {
     add_part(Status::certified, {}, engine, {}, result_);
     if (m.columns() < m.rows())
       throw LimitReached("the base points of the surface leave no matrix representation by moving planes");
+    const bool real = real_only(options_, curve_.domain.has_value() || surface_.piece.region.has_value());
+    const auto fill_solution = [&](CurveSolution& solution, const PointOnCurve& point) {
+      return fill(solution, point, real);
+    };
+    if (surface_.equation()) {
+      const ParameterForm condition = along_curve(curve_.map, *surface_.equation());
+      if (condition.finite.is_zero()) {
+        add_contained_curve();
+        return;
+      }
+      if (options_.engine == Engine::pencil)
+        minors_ = symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
+      add_condition_roots(curve_, condition, 1, real, options_, context_, fill_solution, result_);
+      return;
+    }
     // Without base points the smallest representation is square.
     std::optional<ParameterForm> resultant;
     if (m.columns() == m.rows() && surface_.degree().proven && !surface_.is_over_the_plane())
@@ -297,11 +339,9 @@ class PiecePair {
       else
         proven = false;
     }
-    const bool real = real_only(options_, curve_.domain.has_value() || surface_.piece.region.has_value());
     const std::size_t before = result_.solutions.size();
-    add_condition_roots(
-        curve_, condition, surface_.degree().map_degree, real, options_, context_,
-        [&](CurveSolution& solution, const PointOnCurve& point) { return fill(solution, point, real); }, result_);
+    add_condition_roots(curve_, condition, surface_.degree().map_degree, real, options_, context_, fill_solution,
+                        result_);
     if (proven) return;
     result_.status = Status::numeric;
     for (std::size_t i = before; i < result_.solutions.size(); ++i) {
@@ -843,20 +883,19 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
     const Polynomial& equation = implicit->equation;
     if (equation.is_constant()) throw InvalidInput("the equation of the surface is constant", "a surface");
     for (const CurvePiece& piece : problem.curve.pieces) {
-      const UnivariatePolynomial condition = substitute(piece.map, equation);
+      const ParameterForm condition = along_curve(piece.map, homogenized(equation));
       result.engine.method = "exact";
-      if (condition.is_zero())
+      if (condition.finite.is_zero())
         result.overlap.push_back(whole_curve(piece, options));
       else
         add_condition_roots(
-            piece, {condition, equation.total_degree() * piece.map.degree() - condition.degree()}, 1,
-            real_only(options, piece.domain.has_value()), options, context,
+            piece, condition, 1, real_only(options, piece.domain.has_value()), options, context,
             [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result);
     }
   } else {
     const std::vector<SurfacePiece>& pieces = std::get<ParametricSurface>(problem.surface).pieces;
     for (const SurfacePiece& surface : pieces) {
-      PreparedSurface prepared(surface, options.seed);
+      PreparedSurface prepared(surface, options.seed, context);
       for (std::size_t i = 0; i < problem.curve.pieces.size(); ++i) {
         const CurvePiece& curve = problem.curve.pieces[i];
         const std::size_t before = result.solutions.size();
