@@ -2,6 +2,8 @@
 #include <eliminant/intersect/curve_condition.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/presentation.hpp>
@@ -92,6 +94,25 @@ Parameter exactly(const Rational& value, const Options& options) {
       return parameter;
     }
   }
+}
+
+symbolic::Polynomial homogenized(const symbolic::Polynomial& equation) {
+  const auto degree = static_cast<unsigned long>(equation.total_degree());
+  std::vector<symbolic::Polynomial::Term> terms = equation.primitive_part().terms();
+  for (symbolic::Polynomial::Term& term : terms)
+    term.exponents.push_back(std::accumulate(term.exponents.begin(), term.exponents.end(), degree, std::minus<>()));
+  return symbolic::Polynomial::from_terms(equation.variable_count() + 1, terms);
+}
+
+symbolic::ParameterForm along_curve(const symbolic::RationalCurve& curve, const symbolic::Polynomial& form) {
+  UnivariatePolynomial value;
+  for (const symbolic::Polynomial::Term& term : form.terms()) {
+    UnivariatePolynomial product({term.coefficient.numerator()});
+    for (std::size_t k = 0; k < term.exponents.size(); ++k)
+      product = product * symbolic::power(curve.coordinates()[k], term.exponents[k]);
+    value = value + product;
+  }
+  return {value, form.total_degree() * curve.degree() - value.degree()};
 }
 
 bool real_only(const Options& options, bool has_domain) {

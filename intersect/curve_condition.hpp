@@ -48,6 +48,12 @@ void add_condition_roots(const symbolic::CurvePiece& piece, const symbolic::Para
 /// A rational parameter as it is printed, known exactly.
 Parameter exactly(const symbolic::Rational& value, const Options& options);
 
+/// The form of an equation: homogeneous in one more variable, the weight, primitive.
+symbolic::Polynomial homogenized(const symbolic::Polynomial& equation);
+
+/// A form in the homogeneous coordinates along a curve: zero where the curve lies on it.
+symbolic::ParameterForm along_curve(const symbolic::RationalCurve& curve, const symbolic::Polynomial& form);
+
 /// The part of the curve that its domain leaves.
 Overlap whole_curve(const symbolic::CurvePiece& piece, const Options& options);
 

@@ -19,7 +19,6 @@ using symbolic::CurvePiece;
 using symbolic::ParametricCurve;
 using symbolic::Polynomial;
 using symbolic::Rational;
-using symbolic::UnivariatePolynomial;
 
 class CurveCurve {
  public:
@@ -104,15 +103,14 @@ class CurveCurve {
       if (piece.map.dimension() != 2) throw InvalidInput("a curve in space meets a plane curve", "a plane curve");
       if (piece.map.degree() < 1) throw InvalidInput("a curve is a single point", "a map that is not constant");
       const std::size_t before = result_.solutions.size();
-      const UnivariatePolynomial condition = substitute(piece.map, equation);
-      const long degree = equation.total_degree() * piece.map.degree();
+      const symbolic::ParameterForm condition = along_curve(piece.map, homogenized(equation));
       result_.engine.method = "exact";
-      if (condition.is_zero())
+      if (condition.finite.is_zero())
         result_.overlap.push_back(whole_curve(piece, options_));
       else
         add_condition_roots(
-            piece, {condition, degree - condition.degree()}, 1, real_only(options_, piece.domain.has_value()), options_,
-            context_, [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result_);
+            piece, condition, 1, real_only(options_, piece.domain.has_value()), options_, context_,
+            [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result_);
       if (i > 0 && joined(curve.pieces[i - 1], piece))
         std::erase_if(result_.solutions, [&, index = std::size_t{0}](const CurveSolution& solution) mutable {
           return index++ >= before && is_at(solution.t, piece.domain->lower);
@@ -122,20 +120,6 @@ class CurveCurve {
       for (CurveSolution& solution : result_.solutions) std::swap(solution.t, solution.u);
       for (Overlap& overlap : result_.overlap) std::swap(overlap.t, overlap.u);
     }
-  }
-
-  static UnivariatePolynomial substitute(const symbolic::RationalCurve& map, const Polynomial& equation) {
-    const auto degree = static_cast<unsigned long>(equation.total_degree());
-    const Polynomial integral = equation.primitive_part();
-    UnivariatePolynomial value;
-    const auto& f = map.coordinates();
-    for (const Polynomial::Term& term : integral.terms()) {
-      UnivariatePolynomial product({term.coefficient.numerator()});
-      product = product * symbolic::power(f[0], term.exponents[0]) * symbolic::power(f[1], term.exponents[1]) *
-                symbolic::power(f[2], degree - term.exponents[0] - term.exponents[1]);
-      value = value + product;
-    }
-    return value;
   }
 
   void intersect_equations(const Polynomial& first, const Polynomial& second) {

@@ -7,24 +7,19 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
-#include <memory>
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/krawczyk_system.hpp>
 #include <eliminant/intersect/common_points.hpp>
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
-#include <eliminant/intersect/patch_boxes.hpp>
+#include <eliminant/intersect/merge_pieces.hpp>
+#include <eliminant/intersect/prepared_surface.hpp>
 #include <eliminant/intersect/presentation.hpp>
-#include <eliminant/intersect/surface_pencil.hpp>
-#include <eliminant/intersect/surface_preimages.hpp>
+#include <eliminant/intersect/surface_borders.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
-#include <eliminant/symbolic/elimination/implicit_equation.hpp>
 #include <eliminant/symbolic/elimination/surface_resultant.hpp>
 #include <eliminant/symbolic/geometry/border_curve.hpp>
-#include <eliminant/symbolic/matrices/moving_lines.hpp>
-#include <eliminant/symbolic/matrices/moving_planes.hpp>
 
 namespace eliminant::intersect {
 
@@ -44,161 +39,17 @@ using symbolic::UnivariatePolynomial;
 
 enum class Answer { yes, no, unknown };
 
-/// The form F(x, y, z, w) of an equation f(x, y, z).
-Polynomial homogenized(const Polynomial& equation) {
-  const auto degree = static_cast<unsigned long>(equation.total_degree());
-  std::vector<Polynomial::Term> terms = equation.primitive_part().terms();
-  for (Polynomial::Term& term : terms)
-    term.exponents.push_back(degree - term.exponents[0] - term.exponents[1] - term.exponents[2]);
-  return Polynomial::from_terms(4, terms);
-}
-
-/// A form in (x, y, z, w) along the curve.
-ParameterForm along_curve(const RationalCurve& map, const Polynomial& form) {
-  UnivariatePolynomial value;
-  for (const Polynomial::Term& term : form.terms()) {
-    UnivariatePolynomial product({term.coefficient.numerator()});
-    for (std::size_t k = 0; k < 4; ++k) product = product * symbolic::power(map.coordinates()[k], term.exponents[k]);
-    value = value + product;
-  }
-  return {value, form.total_degree() * map.degree() - value.degree()};
-}
-
-/// A representation with row monomials of at least this degree in each group of parameters: of a bilinear surface and
-/// of a plane the smallest one does not tell both parameters (1), and k parameters of one point are only told apart in
-/// degree k, whatever their position.
-MatrixRepresentation inversion_matrix(const RationalSurface& surface, long least) {
-  if (surface.kind() == RationalSurface::Kind::triangular)
-    return symbolic::moving_plane_matrix(surface, std::max(least, symbolic::representation_degree(surface)));
-  std::array<long, 2> nu = symbolic::representation_bidegree(surface);
-  for (long& degree : nu) degree = std::max(degree, least);
-  return symbolic::moving_plane_matrix(surface, nu);
-}
-
-/// A representation and what reads parameters from its kernels.
-struct Inversion {
-  Inversion(const RationalSurface& surface, long least)
-      : matrix(inversion_matrix(surface, least)), inversion(surface, matrix) {}
-  Inversion(const Inversion&) = delete;
-  Inversion& operator=(const Inversion&) = delete;
-
-  MatrixRepresentation matrix;
-  SurfaceInversion inversion;
-};
-
-/// The same map over the projective plane: s / u and t / u for the two affine parameters.
-RationalSurface over_the_plane(const RationalSurface& surface) {
-  long degree = 0;
-  for (const Polynomial& f : surface.coordinates()) degree = std::max(degree, f.total_degree());
-  std::vector<Polynomial> forms;
-  for (const Polynomial& f : surface.coordinates()) {
-    std::vector<Polynomial::Term> terms = f.terms();
-    for (Polynomial::Term& term : terms)
-      term.exponents.push_back(static_cast<unsigned long>(degree) - term.exponents[0] - term.exponents[1]);
-    forms.push_back(Polynomial::from_terms(3, terms));
-  }
-  return {RationalSurface::Kind::triangular, std::move(forms)};
-}
-
-/// One piece of a surface, prepared for any number of curves: each engine's part when it is first asked.
-///
-/// A map of low total degree written as a tensor product has a base point at infinity in both parameters that is no
-/// local complete intersection; over the projective plane it often has none. The matrix engines then work there.
-class PreparedSurface {
- public:
-  PreparedSurface(const SurfacePiece& surface_piece, std::uint64_t seed, const Context& context)
-      : piece(surface_piece), seed_(seed), context_(context), boxes_(surface_piece) {}
-
-  const PatchBoxes& boxes() const { return boxes_; }
-  /// The map that the matrix engines use, and what belongs to it.
-  const RationalSurface& map() {
-    settle();
-    return over_the_plane_ ? *over_the_plane_ : piece.map;
-  }
-  bool is_over_the_plane() {
-    settle();
-    return over_the_plane_.has_value();
-  }
-  const bridge::BallSurface& ball_surface() { return inversion_for(1).surface(); }
-  const MatrixRepresentation& matrix() {
-    settle();
-    return smallest_->matrix;
-  }
-  /// For points with that many parameters.
-  const SurfaceInversion& inversion_for(long parameters) {
-    settle();
-    if (parameters <= 1) return smallest_->inversion;
-    auto& larger = larger_[parameters];
-    if (!larger) larger = std::make_unique<Inversion>(map(), parameters);
-    return larger->inversion;
-  }
-  const SurfacePencil& pencil() {
-    if (!pencil_) pencil_ = std::make_unique<SurfacePencil>(matrix(), inversion_for(1));
-    return *pencil_;
-  }
-  const symbolic::ImplicitDegree& degree() {
-    settle();
-    return degree_;
-  }
-
-  /// The implicit equation in (x, y, z, w), where the degree of the map or planes of base points have to be told apart
-  /// from the surface, and it is within reach.
-  const std::optional<Polynomial>& equation() {
-    settle();
-    return equation_;
-  }
-
-  const SurfacePiece& piece;
-
- private:
-  void settle() {
-    if (smallest_) return;
-    choose_map();
-    if (degree_.proven && degree_.map_degree == 1) return;
-    try {
-      equation_ = symbolic::implicit_equation(map(), matrix(), degree_, seed_, context_);
-    } catch (const LimitReached&) {
-      context_.checkpoint("implicit equation");
-    } catch (const InvalidInput&) {
-      // The matrix represents nothing: there is no equation to be had from it.
-    }
-    // What is known of the degree of the map, and a lower bound else.
-    degree_.proven = degree_.proven && equation_.has_value();
-    degree_.map_degree = degree_.proven ? degree_.product / equation_->total_degree() : 1;
-  }
-
-  void choose_map() {
-    smallest_ = std::make_unique<Inversion>(piece.map, 1);
-    if (smallest_->matrix.columns() >= smallest_->matrix.rows())
-      degree_ = symbolic::implicit_degree(piece.map, smallest_->matrix, seed_);
-    if (degree_.proven || piece.map.kind() == RationalSurface::Kind::triangular) return;
-    const RationalSurface other = over_the_plane(piece.map);
-    auto inversion = std::make_unique<Inversion>(other, 1);
-    if (inversion->matrix.columns() < inversion->matrix.rows()) return;
-    const symbolic::ImplicitDegree degree = symbolic::implicit_degree(other, inversion->matrix, seed_);
-    if (!degree.proven) return;
-    over_the_plane_ = other;
-    smallest_ = std::move(inversion);
-    degree_ = degree;
-  }
-
-  std::uint64_t seed_;
-  const Context& context_;
-  PatchBoxes boxes_;
-  std::optional<RationalSurface> over_the_plane_;
-  std::unique_ptr<Inversion> smallest_;
-  std::unique_ptr<SurfacePencil> pencil_;
-  std::map<long, std::unique_ptr<Inversion>> larger_;
-  symbolic::ImplicitDegree degree_;
-  std::optional<Polynomial> equation_;
-};
-
 /// One piece of the curve with one piece of the surface.
 class PiecePair {
  public:
   PiecePair(const CurvePiece& curve, PreparedSurface& surface, const Options& options, const Context& context,
             CurveResult& result)
-      : curve_(curve), surface_(surface), options_(options), context_(context), result_(result) {}
+      : curve_(curve),
+        surface_(surface),
+        options_(options),
+        context_(context),
+        result_(result),
+        borders_(surface.piece.map, curve.map, options.seed, context) {}
 
   void run() {
     if (!solve_by_boxes() && !solve_by_pencil()) solve_exactly();
@@ -350,56 +201,6 @@ class PiecePair {
     }
   }
 
-  /// A curve of the surface on which one of its homogeneous parameters has a fixed ratio: the condition on t that the
-  /// curve meets it.
-  const ParameterForm& border_condition(std::size_t group, const std::optional<Rational>& value) {
-    const auto key = std::pair(group, value ? value->to_string() : "inf");
-    auto found = borders_.find(key);
-    if (found == borders_.end())
-      found = borders_.emplace(key, meeting_condition(symbolic::border_curve(surface_.piece.map, group, value))).first;
-    return found->second;
-  }
-
-  ParameterForm meeting_condition(const std::optional<RationalCurve>& border) {
-    if (!border) return {};  // a line of base points: every parameter may belong to it
-    if (border->degree() == 0) {
-      // A point: the minors of order two of both columns.
-      ParameterForm condition;
-      const std::vector<symbolic::Integer> point = border->at_infinity();
-      long order = curve_.map.degree();
-      const auto& f = curve_.map.coordinates();
-      for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-          const UnivariatePolynomial minor =
-              f[i] * UnivariatePolynomial({point[j]}) - f[j] * UnivariatePolynomial({point[i]});
-          if (minor.is_zero()) continue;
-          condition.finite = symbolic::gcd(condition.finite, minor);
-          order = std::min(order, curve_.map.degree() - minor.degree());
-        }
-      condition.order_at_infinity = order;
-      return condition;
-    }
-    const MatrixRepresentation m =
-        symbolic::moving_line_matrix(*border, border->degree() - 1 > 0 ? border->degree() - 1 : 1);
-    return symbolic::minors_on_curve(m, curve_.map, options_.seed, context_);
-  }
-
-  /// Whether the point lies on that curve of the surface, decided exactly.
-  bool on_border(const PointOnCurve& point, std::size_t group, const std::optional<Rational>& value) {
-    return satisfies(point, border_condition(group, value));
-  }
-
-  static bool satisfies(const PointOnCurve& point, const ParameterForm& condition) {
-    if (condition.finite.is_zero()) return true;
-    if (point.exact_t) {
-      Rational at;
-      fmpz_poly_evaluate_fmpq(at.get(), condition.finite.get(), point.exact_t->get());
-      return at.is_zero();
-    }
-    return point.roots == nullptr ? condition.order_at_infinity > 0
-                                  : point.roots->is_zero_of(point.index, condition.finite);
-  }
-
   Filling fill(CurveSolution& solution, const PointOnCurve& point, bool real) {
     const std::optional<Preimages> preimages = find_preimages(point);
     if (!preimages) return Filling::more_precision;
@@ -450,7 +251,7 @@ class PiecePair {
     const symbolic::ParameterRegion& region = *surface_.piece.region;
     const auto collapsed = [&](std::size_t axis, const Rational& value) {
       const std::optional<RationalCurve> border = symbolic::border_curve(surface_.piece.map, axis, value);
-      return border && border->degree() == 0 && point.real && on_border(point, axis, value);
+      return border && border->degree() == 0 && point.real && borders_.contains(point, axis, value);
     };
     if (region.triangle) return collapsed(0, Rational(0)) || collapsed(1, Rational(0)) || collapsed(2, Rational(0));
     for (std::size_t axis = 0; axis < 2; ++axis)
@@ -543,7 +344,7 @@ class PiecePair {
                                               long& radius_exponent) {
     if (surface_.piece.map.kind() == RationalSurface::Kind::triangular) {
       auto printed = print_point(parameters, options_.digits, point.precision_bits, radius_exponent,
-                                 [&](std::size_t k) { return on_border(point, k, Rational(0)); });
+                                 [&](std::size_t k) { return borders_.contains(point, k, Rational(0)); });
       if (!printed) return std::nullopt;
       return std::vector<Parameter>(printed->begin(), printed->end());
     }
@@ -557,7 +358,8 @@ class PiecePair {
         result.emplace_back(std::nullopt);
         continue;
       }
-      if (acb_contains_zero(numerator.get()) != 0 && on_border(point, group, Rational(0))) acb_zero(numerator.get());
+      if (acb_contains_zero(numerator.get()) != 0 && borders_.contains(point, group, Rational(0)))
+        acb_zero(numerator.get());
       acb_div(numerator.get(), numerator.get(), denominator.get(), point.precision_bits);
       Parameter printed = print_value(numerator, options_.digits, radius_exponent);
       if (!printed) return std::nullopt;
@@ -573,10 +375,8 @@ class PiecePair {
 
   /// Whether the point lies on the curve of the surface where that affine parameter is infinite.
   bool at_infinity(const PointOnCurve& point, std::size_t group) {
-    if (!surface_.is_over_the_plane()) return on_border(point, group, std::nullopt);
-    if (!line_at_infinity_)
-      line_at_infinity_ = meeting_condition(symbolic::border_curve(surface_.map(), 2, Rational(0)));
-    return satisfies(point, *line_at_infinity_);
+    return surface_.is_over_the_plane() ? borders_.at_line_at_infinity(point, surface_.map())
+                                        : borders_.contains(point, group, std::nullopt);
   }
 
   Answer is_within(const HomogeneousParameters& parameters, const PointOnCurve& point) {
@@ -589,7 +389,7 @@ class PiecePair {
       if (result == Answer::no || arb_is_positive(value.real()) != 0) return;
       if (arb_is_negative(value.real()) != 0) {
         result = Answer::no;
-      } else if (!on_border(point, group, border)) {
+      } else if (!borders_.contains(point, group, border)) {
         result = Answer::unknown;
       }
     };
@@ -638,7 +438,7 @@ class PiecePair {
     }
     UnivariatePolynomial crossings({symbolic::Integer(1)});
     for (const auto& [group, value] : borders_of_region()) {
-      const ParameterForm& condition = border_condition(group, value);
+      const ParameterForm& condition = borders_.condition(group, value);
       if (!condition.finite.is_zero()) crossings = crossings * condition.finite;
     }
     if (curve_.domain)
@@ -802,72 +602,10 @@ class PiecePair {
   const Options& options_;
   const Context& context_;
   CurveResult& result_;
-  std::map<std::pair<std::size_t, std::string>, ParameterForm> borders_;
-  std::optional<ParameterForm> line_at_infinity_;
+  SurfaceBorders borders_;
   ParameterForm minors_;
   bool overlap_certified_ = true;
 };
-
-/// Whether two solutions of different pieces have the same t.
-bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Context& context) {
-  if (!*a.t || !*b.t) return !*a.t && !*b.t;
-  const ComplexBall& first = (*a.t)->ball;
-  const ComplexBall& second = (*b.t)->ball;
-  // Without a polynomial a point is transversal and inside its patch.
-  if (acb_overlaps(first.get(), second.get()) == 0 || !a.t_polynomial || !b.t_polynomial) return false;
-  const UnivariatePolynomial common = symbolic::gcd(*a.t_polynomial, *b.t_polynomial);
-  if (common.degree() < 1) return false;
-  const long bits = std::min(acb_rel_accuracy_bits(first.get()), acb_rel_accuracy_bits(second.get()));
-  const std::vector<ComplexBall> roots = bridge::enclose_roots(common, std::max(bits, 64L), context);
-  return std::any_of(roots.begin(), roots.end(), [&](const ComplexBall& root) {
-    return acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0;
-  });
-}
-
-bool same_text(const Parameter& a, const Parameter& b) {
-  return a.has_value() == b.has_value() && (!a || (a->real == b->real && a->imaginary == b->imaginary));
-}
-
-/// Pieces meet along their sides, and a closed surface meets itself there: what is at one t is one solution, with all
-/// parameters. On a side the pieces are one surface, whose multiplicity each of them knows.
-void merge_pieces(CurveResult& result, const Context& context) {
-  std::vector<CurveSolution> merged;
-  for (CurveSolution& solution : result.solutions) {
-    const auto known = std::find_if(merged.begin(), merged.end(), [&](const CurveSolution& other) {
-      return same_parameter(other, solution, context);
-    });
-    if (known == merged.end()) {
-      merged.push_back(std::move(solution));
-      continue;
-    }
-    known->inside = known->inside || solution.inside;
-    known->certified = known->certified && solution.certified;
-    if (known->reason.empty()) known->reason = solution.reason;
-    known->radius_exponent = std::max(known->radius_exponent, solution.radius_exponent);
-    known->multiplicity = std::max(known->multiplicity, solution.multiplicity);
-    for (std::vector<Parameter>& parameters : solution.surface_parameters)
-      if (std::none_of(known->surface_parameters.begin(), known->surface_parameters.end(),
-                       [&](const std::vector<Parameter>& other) {
-                         return std::equal(other.begin(), other.end(), parameters.begin(), same_text);
-                       }))
-        known->surface_parameters.push_back(std::move(parameters));
-  }
-  result.solutions = std::move(merged);
-  std::vector<Overlap> overlaps;
-  for (Overlap& overlap : result.overlap) {
-    const auto adjacent = std::find_if(overlaps.begin(), overlaps.end(), [&](const Overlap& other) {
-      return other.t && overlap.t &&
-             (same_text((*other.t)[1], (*overlap.t)[0]) || same_text((*other.t)[0], (*overlap.t)[0]));
-    });
-    if (adjacent == overlaps.end()) {
-      overlaps.push_back(std::move(overlap));
-      continue;
-    }
-    adjacent->certified = adjacent->certified && overlap.certified;
-    if (same_text((*adjacent->t)[1], (*overlap.t)[0])) (*adjacent->t)[1] = (*overlap.t)[1];
-  }
-  result.overlap = std::move(overlaps);
-}
 
 CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& options, const Context& context) {
   symbolic::install_flint_error_handler();

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/merge_pieces.hpp>
+
+#include <algorithm>
+
+#include <eliminant/bridge/isolated_roots.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::ComplexBall;
+using symbolic::UnivariatePolynomial;
+
+/// Whether two solutions of different pieces have the same t.
+bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Context& context) {
+  if (!*a.t || !*b.t) return !*a.t && !*b.t;
+  const ComplexBall& first = (*a.t)->ball;
+  const ComplexBall& second = (*b.t)->ball;
+  // Without a polynomial a point is transversal and inside its patch.
+  if (acb_overlaps(first.get(), second.get()) == 0 || !a.t_polynomial || !b.t_polynomial) return false;
+  const UnivariatePolynomial common = symbolic::gcd(*a.t_polynomial, *b.t_polynomial);
+  if (common.degree() < 1) return false;
+  const long bits = std::min(acb_rel_accuracy_bits(first.get()), acb_rel_accuracy_bits(second.get()));
+  const std::vector<ComplexBall> roots = bridge::enclose_roots(common, std::max(bits, 64L), context);
+  return std::any_of(roots.begin(), roots.end(), [&](const ComplexBall& root) {
+    return acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0;
+  });
+}
+
+bool same_text(const Parameter& a, const Parameter& b) {
+  return a.has_value() == b.has_value() && (!a || (a->real == b->real && a->imaginary == b->imaginary));
+}
+
+}  // namespace
+
+void merge_pieces(CurveResult& result, const Context& context) {
+  std::vector<CurveSolution> merged;
+  for (CurveSolution& solution : result.solutions) {
+    const auto known = std::find_if(merged.begin(), merged.end(), [&](const CurveSolution& other) {
+      return same_parameter(other, solution, context);
+    });
+    if (known == merged.end()) {
+      merged.push_back(std::move(solution));
+      continue;
+    }
+    known->inside = known->inside || solution.inside;
+    known->certified = known->certified && solution.certified;
+    if (known->reason.empty()) known->reason = solution.reason;
+    known->radius_exponent = std::max(known->radius_exponent, solution.radius_exponent);
+    known->multiplicity = std::max(known->multiplicity, solution.multiplicity);
+    for (std::vector<Parameter>& parameters : solution.surface_parameters)
+      if (std::none_of(known->surface_parameters.begin(), known->surface_parameters.end(),
+                       [&](const std::vector<Parameter>& other) {
+                         return std::equal(other.begin(), other.end(), parameters.begin(), same_text);
+                       }))
+        known->surface_parameters.push_back(std::move(parameters));
+  }
+  result.solutions = std::move(merged);
+  std::vector<Overlap> overlaps;
+  for (Overlap& overlap : result.overlap) {
+    const auto adjacent = std::find_if(overlaps.begin(), overlaps.end(), [&](const Overlap& other) {
+      return other.t && overlap.t &&
+             (same_text((*other.t)[1], (*overlap.t)[0]) || same_text((*other.t)[0], (*overlap.t)[0]));
+    });
+    if (adjacent == overlaps.end()) {
+      overlaps.push_back(std::move(overlap));
+      continue;
+    }
+    adjacent->certified = adjacent->certified && overlap.certified;
+    if (same_text((*adjacent->t)[1], (*overlap.t)[0])) (*adjacent->t)[1] = (*overlap.t)[1];
+  }
+  result.overlap = std::move(overlaps);
+}
+
+}  // namespace eliminant::intersect
