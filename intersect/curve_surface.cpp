@@ -178,6 +178,11 @@ class PiecePair {
         warn("the curve lies in a plane that belongs to a base point of the surface: its intersections are not known");
         return;
       }
+      if (!surface_.degree().proven) {
+        // One general point was looked at.
+        result_.status = Status::numeric;
+        overlap_certified_ = false;
+      }
       add_contained_curve();
       return;
     }
@@ -433,7 +438,7 @@ class PiecePair {
   /// The curve lies in the surface: in the patch it lies between parameters at which it crosses the borders.
   void add_contained_curve() {
     if (!surface_.piece.region) {
-      result_.overlap.push_back(whole_curve(curve_, options_));
+      add_whole_curve();
       return;
     }
     UnivariatePolynomial crossings({symbolic::Integer(1)});
@@ -467,7 +472,7 @@ class PiecePair {
       through_infinity = is_inside(beyond(ends, cuts.back()));
       inside_after.back() = through_infinity;
       if (std::all_of(inside_after.begin(), inside_after.end(), [](bool inside) { return inside; })) {
-        result_.overlap.push_back(whole_curve(curve_, options_));
+        add_whole_curve();
         return;
       }
     }
@@ -566,6 +571,12 @@ class PiecePair {
       }
       if (inside != Answer::unknown || !found->proven) return inside == Answer::yes;
     }
+  }
+
+  void add_whole_curve() {
+    Overlap overlap = whole_curve(curve_, options_);
+    overlap.certified = overlap.certified && overlap_certified_;
+    result_.overlap.push_back(std::move(overlap));
   }
 
   void add_stretch_if_inside(Overlap overlap, const Rational& sample) {
