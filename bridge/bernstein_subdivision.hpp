@@ -7,49 +7,62 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
-#include <eliminant/bridge/ball.hpp>
-#include <eliminant/symbolic/arithmetic/rational.hpp>
+#include <eliminant/bridge/control_net.hpp>
 
 namespace eliminant::bridge {
 
-/// Homogeneous control points (w x, w y, w z, w) of a Bezier curve or patch on [0, 1] or [0, 1]^2, rounded to doubles.
-struct ControlNet {
-  /// Degree in each parameter: one for a curve, two for a patch.
-  std::vector<std::size_t> degrees;
-  /// Coordinate k of all points, the last parameter running fastest.
-  std::array<std::vector<double>, 4> coordinates;
-  /// A bound of the error of each number.
-  double error = 0;
-
-  /// Rounds exact control points: for each coordinate its numbers in the order above. nullopt when a number is outside
-  /// the range in which hardware doubles are safe.
-  static std::optional<ControlNet> round(std::vector<std::size_t> degrees,
-                                         const std::array<std::vector<symbolic::Rational>, 4>& coordinates);
+/// A simple common point of a curve and a patch (parameters u; s, t) or of two plane curves (u; v).
+struct IsolatedZero {
+  /// Of the first, then of the second; the third is 0 for two curves.
+  std::array<double, 3> parameters{};
+  /// Each parameter is wrong by at most that.
+  double radius = 0;
+  /// There is no other zero whose parameters all differ by at most that.
+  double isolation = 0;
 };
 
-/// Lower and upper ends of an interval for each homogeneous coordinate of a point.
-using PointBox = std::array<std::array<double, 2>, 4>;
+/// A box of parameters, in the same order.
+struct OpenBox {
+  std::array<double, 3> lower{};
+  std::array<double, 3> upper{};
+};
 
-/// True when it is proven that no parameter in [0, 1]^2 has that point, whatever the signs of the weights: by
-/// subdivision, until a minor of both coordinate vectors has one sign on every part. False when that does not come
-/// soon.
-bool excludes_point(const ControlNet& patch, const PointBox& point, const Context& context);
+/// What subdivision found of the common points within the closed domains.
+struct SubdivisionResult {
+  /// Each is proven to exist, and simple. Its enclosure may touch the border of the domain.
+  std::vector<IsolatedZero> zeros;
+  /// Parts of the domain that may hold common points besides: contacts, singular points. Not all of them, when
+  /// `complete` is false.
+  std::vector<OpenBox> open;
+  /// Every part of the domain was excluded, is accounted for in `zeros`, or is in `open`.
+  bool complete = true;
+  /// Pairs of parts that were looked at.
+  unsigned long pairs = 0;
+};
 
-/// A box of parameters (u of the curve, s and t of the patch) that contains exactly one common point, a transversal
-/// one.
-using ParameterBox = std::array<ComplexBall, 3>;
+/// How long to go on.
+struct SubdivisionLimits {
+  /// Boxes narrower than this in every parameter are left open.
+  double smallest_width = 0x1p-24;
+  /// As soon as so many are open, the rest is not looked at.
+  std::size_t most_open = 1;
+  unsigned long most_pairs = 20000;
+};
 
-/// Tries to prove a common point near these parameters (u, s, t), which Newton's steps in doubles have led to.
-using CertifyNear = std::function<std::optional<ParameterBox>(const std::array<double, 3>&)>;
+/// Asked where parts are small and nearly parallel, with parameters in them: a box around a point of contact within
+/// `reach` of these, in which there is no other common point; or nothing.
+using FindContact = std::function<std::optional<OpenBox>(const std::array<double, 3>& near, double reach)>;
 
-/// All common points of a curve and a patch within their closed parameter domains, or nullopt when some part of the
-/// domain could not be decided: a contact, a singular point, a point on a border, or weights of mixed sign.
+/// All common points of a Bezier curve and a patch, or of two plane curves (coordinates x, y and the weight), in
+/// hardware doubles with a bound on every rounding. The two nets have one origin.
 ///
-/// Every part of the domain is excluded or holds at most one common point: subdivision by de Casteljau's algorithm in
-/// doubles with a bound on its error; a pair of parts is excluded when the boxes around their control points are
-/// disjoint, or by the Krawczyk operator, and holds at most one point when the preconditioned derivative, bounded by
-/// the control points of the derivatives, is near the identity. That point is proven by `certify`.
-std::optional<std::vector<ParameterBox>> bernstein_subdivision(const ControlNet& curve, const ControlNet& patch,
-                                                               const CertifyNear& certify, const Context& context);
+/// Subdivision by de Casteljau's algorithm. A pair of parts is multiplied by an approximate inverse of its Jacobian
+/// matrix; the control points of the result, minus those of the identity, bound where zeros can be, which excludes the
+/// pair or narrows the domain (quadratically in the end). A zero is proven where that bound maps the box into itself
+/// (Brouwer) and the derivative is near the identity on it (uniqueness). Weights of mixed sign leave the result
+/// incomplete. The box of a contact found counts as done. Sources: [MourrainPavone2009], [Krawczyk1969].
+SubdivisionResult bernstein_subdivision(const ControlNet& first, const ControlNet& second,
+                                        const FindContact& find_contact, const SubdivisionLimits& limits,
+                                        const Context& context);
 
 }  // namespace eliminant::bridge

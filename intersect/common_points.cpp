@@ -20,6 +20,25 @@ ComplexBall minor(const Coordinates& a, const Coordinates& b, std::size_t j, std
   return value;
 }
 
+constexpr auto never = [](std::size_t) { return false; };
+
+/// The parameter and the point of a solution on a curve.
+std::optional<CurveSolution> print_on_curve(const symbolic::RationalCurve& curve, const ComplexBall& t,
+                                            const Options& options, long precision_bits) {
+  CurveSolution solution;
+  solution.radius_exponent = -options.digits;
+  solution.certified = options.certify;
+  Parameter printed_t = print_value(t, options.digits, solution.radius_exponent);
+  if (!printed_t) return std::nullopt;
+  solution.t = std::move(printed_t);
+  Coordinates point;
+  for (const symbolic::UnivariatePolynomial& f : curve.coordinates()) point.push_back(evaluate(f, t, precision_bits));
+  auto printed = print_point(point, options.digits, precision_bits, solution.radius_exponent, never);
+  if (!printed) return std::nullopt;
+  solution.point = *std::move(printed);
+  return solution;
+}
+
 }  // namespace
 
 std::optional<std::array<std::size_t, 2>> chart_variables(const bridge::BallSurface& surface,
@@ -49,24 +68,15 @@ std::optional<CurveSolution> print_common_point(const bridge::BallSurface& surfa
                                                 const symbolic::RationalCurve& curve,
                                                 const bridge::HomogeneousParameters& parameters, const ComplexBall& t,
                                                 const Options& options, long precision_bits) {
-  CurveSolution solution;
-  solution.radius_exponent = -options.digits;
-  solution.certified = options.certify;
-  const Parameter printed_t = print_value(t, options.digits, solution.radius_exponent);
-  if (!printed_t) return std::nullopt;
-  solution.t = printed_t;
-  Coordinates point;
-  for (const symbolic::UnivariatePolynomial& f : curve.coordinates()) point.push_back(evaluate(f, t, precision_bits));
-  const auto never = [](std::size_t) { return false; };
-  auto printed = print_point(point, options.digits, precision_bits, solution.radius_exponent, never);
+  std::optional<CurveSolution> printed = print_on_curve(curve, t, options, precision_bits);
   if (!printed) return std::nullopt;
-  solution.point = *std::move(printed);
+  CurveSolution& solution = *printed;
   std::vector<Parameter>& on_surface = solution.surface_parameters.emplace_back();
   if (!surface.is_tensor_product()) {
     const auto triple = print_point(parameters, options.digits, precision_bits, solution.radius_exponent, never);
     if (!triple) return std::nullopt;
     on_surface.assign(triple->begin(), triple->end());
-    return solution;
+    return printed;
   }
   for (const std::vector<std::size_t>& group : surface.groups()) {
     ComplexBall value;
@@ -75,7 +85,44 @@ std::optional<CurveSolution> print_common_point(const bridge::BallSurface& surfa
     if (!parameter) return std::nullopt;
     on_surface.push_back(std::move(parameter));
   }
+  return printed;
+}
+
+std::optional<CurveSolution> print_common_point(const symbolic::RationalCurve& first, const ComplexBall& t,
+                                                const ComplexBall& u, const Options& options, long precision_bits) {
+  std::optional<CurveSolution> solution = print_on_curve(first, t, options, precision_bits);
+  if (!solution) return std::nullopt;
+  solution->u = print_value(u, options.digits, solution->radius_exponent);
+  if (!*solution->u) return std::nullopt;
   return solution;
+}
+
+bridge::System common_point_system(const symbolic::RationalCurve& first, const symbolic::RationalCurve& second) {
+  const auto with_derivatives = [](const symbolic::RationalCurve& curve) {
+    std::vector<symbolic::UnivariatePolynomial> derivatives;
+    for (const symbolic::UnivariatePolynomial& f : curve.coordinates()) derivatives.push_back(f.derivative());
+    return [&curve, derivatives](const ComplexBall& at, long precision_bits) {
+      std::array<Coordinates, 2> result;
+      for (std::size_t k = 0; k < curve.coordinates().size(); ++k) {
+        result[0].push_back(evaluate(curve.coordinates()[k], at, precision_bits));
+        result[1].push_back(evaluate(derivatives[k], at, precision_bits));
+      }
+      return result;
+    };
+  };
+  return [a = with_derivatives(first), b = with_derivatives(second)](const std::vector<ComplexBall>& at,
+                                                                     long precision_bits) {
+    const std::array<Coordinates, 2> p = a(at[0], precision_bits);
+    const std::array<Coordinates, 2> q = b(at[1], precision_bits);
+    constexpr std::size_t weight = 2;
+    bridge::SystemValue result;
+    for (std::size_t k = 0; k < weight; ++k) {
+      result.values.push_back(minor(p[0], q[0], k, weight, precision_bits));
+      result.jacobian.push_back(
+          {minor(p[1], q[0], k, weight, precision_bits), minor(p[0], q[1], k, weight, precision_bits)});
+    }
+    return result;
+  };
 }
 
 bridge::System common_point_system(const bridge::BallSurface& surface, const symbolic::RationalCurve& curve,

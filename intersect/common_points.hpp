@@ -19,6 +19,10 @@ bridge::System common_point_system(const bridge::BallSurface& surface, const sym
                                    const bridge::HomogeneousParameters& parameters,
                                    std::array<std::size_t, 2> variables, std::size_t pivot);
 
+/// The functions of (t, u) that vanish where two plane curves are at the same point: minors of their coordinates that
+/// contain the weight, which must not vanish there. The curves must outlive the result.
+bridge::System common_point_system(const symbolic::RationalCurve& first, const symbolic::RationalCurve& second);
+
 /// The indices of the two parameters that vary where the others are 1; nullopt when there is no such chart.
 std::optional<std::array<std::size_t, 2>> chart_variables(const bridge::BallSurface& surface,
                                                           const bridge::HomogeneousParameters& parameters);
@@ -31,6 +35,11 @@ std::optional<CurveSolution> print_common_point(const bridge::BallSurface& surfa
                                                 const symbolic::RationalCurve& curve,
                                                 const bridge::HomogeneousParameters& parameters,
                                                 const bridge::ComplexBall& t, const Options& options,
+                                                long precision_bits);
+
+/// The same of a common point of two curves, with the point as the first one has it.
+std::optional<CurveSolution> print_common_point(const symbolic::RationalCurve& first, const bridge::ComplexBall& t,
+                                                const bridge::ComplexBall& u, const Options& options,
                                                 long precision_bits);
 
 }  // namespace eliminant::intersect

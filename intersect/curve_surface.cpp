@@ -67,7 +67,8 @@ class PiecePair {
       for (std::size_t j = 0; j < i; ++j)
         if (acb_overlaps((*(*solutions)[i].t)->ball.get(), (*(*solutions)[j].t)->ball.get()) != 0) return false;
     CurveCounts counts;
-    counts.distinct = counts.real = counts.with_multiplicity = static_cast<unsigned long>(solutions->size());
+    counts.distinct = counts.real = static_cast<unsigned long>(solutions->size());
+    for (const CurveSolution& solution : *solutions) counts.with_multiplicity += solution.multiplicity;
     counts.within_domains_only = true;
     EngineReport engine;
     engine.method = "box";

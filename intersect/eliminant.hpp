@@ -4,6 +4,7 @@
 // Everything a user of the library calls, in one include: <eliminant/eliminant.hpp>.
 #include <eliminant/base/context.hpp>
 #include <eliminant/base/error.hpp>
+#include <eliminant/intersect/bezier_intersection.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/implicitize.hpp>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/intersect/curve_boxes.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/parameter_roots.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
@@ -543,10 +544,33 @@ void MapPair::add_arc(const Moebius& map, const Rational& lower, const Rational&
 
 }  // namespace
 
+namespace {
+
+/// The box engine answers for real solutions within bounded domains.
+std::optional<MapPairResult> within_boxes(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
+                                          const Options& options, const Context& context) {
+  if (options.engine != Engine::automatic && options.engine != Engine::box) return std::nullopt;
+  if (options.field == Field::complex) return std::nullopt;
+  auto solutions = solve_by_boxes(first, second, options, context);
+  if (!solutions) return std::nullopt;
+  MapPairResult result;
+  result.status = Status::certified;
+  result.counts.distinct = result.counts.real = static_cast<unsigned long>(solutions->size());
+  for (const CurveSolution& solution : *solutions) result.counts.with_multiplicity += solution.multiplicity;
+  result.counts.within_domains_only = true;
+  result.engine.method = "box";
+  result.engine.precision_bits = 53;
+  result.solutions = *std::move(solutions);
+  return result;
+}
+
+}  // namespace
+
 MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
                                  const Options& options, const Context& context) {
   for (const symbolic::CurvePiece* piece : {&first, &second})
     if (piece->map.degree() < 1) throw InvalidInput("a curve is a single point", "a map that is not constant");
+  if (std::optional<MapPairResult> result = within_boxes(first, second, options, context)) return *std::move(result);
   return MapPair(first, second, options, context).run();
 }
 

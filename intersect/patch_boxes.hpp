@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/ball_surface.hpp>
-#include <eliminant/bridge/bernstein_subdivision.hpp>
+#include <eliminant/bridge/point_exclusion.hpp>
 #include <eliminant/intersect/curve_result.hpp>
 #include <eliminant/intersect/options.hpp>
-#include <eliminant/symbolic/geometry/rational_curve.hpp>
-#include <eliminant/symbolic/geometry/rational_surface.hpp>
+#include <eliminant/intersect/prepared_net.hpp>
 
 namespace eliminant::intersect {
 
 /// A tensor-product patch prepared for the box engine, or not where it is none.
 class PatchBoxes {
  public:
+  /// The piece must outlive the object.
   explicit PatchBoxes(const symbolic::SurfacePiece& piece);
 
-  /// All solutions within both closed domains, each simple and transversal, proven and none missing; nullopt where the
-  /// box engine cannot decide: no bounded domains, a contact, a point on a border or with a parameter 0.
+  /// All solutions within both closed domains, proven and none missing; nullopt where the box engine cannot decide: no
+  /// bounded domains, a contact at irrational parameters, a singular point, an irrational point on a border.
   std::optional<std::vector<CurveSolution>> solve(const symbolic::CurvePiece& curve, const Options& options,
                                                   const Context& context) const;
 
@@ -30,6 +31,8 @@ class PatchBoxes {
  private:
   const symbolic::SurfacePiece& piece_;
   bridge::BallSurface surface_;
+  std::optional<PreparedNet> prepared_;
+  std::array<symbolic::Rational, 3> origin_;
   std::optional<bridge::ControlNet> net_;
 };
 

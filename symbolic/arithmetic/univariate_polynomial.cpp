@@ -8,6 +8,10 @@ UnivariatePolynomial::UnivariatePolynomial(const std::vector<Integer>& coefficie
     fmpz_poly_set_coeff_fmpz(value_, static_cast<slong>(i), coefficients[i].get());
 }
 
+UnivariatePolynomial UnivariatePolynomial::with_root(const Rational& root) {
+  return UnivariatePolynomial({-root.numerator(), root.denominator()});
+}
+
 Integer UnivariatePolynomial::coefficient(long exponent) const {
   Integer result;
   fmpz_poly_get_coeff_fmpz(result.get(), value_, exponent);

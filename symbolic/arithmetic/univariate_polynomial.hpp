@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <eliminant/symbolic/arithmetic/integer.hpp>
+#include <eliminant/symbolic/arithmetic/rational.hpp>
 
 namespace eliminant::symbolic {
 
@@ -13,6 +14,8 @@ class UnivariatePolynomial {
   UnivariatePolynomial() { fmpz_poly_init(value_); }
   /// Coefficients in ascending order.
   explicit UnivariatePolynomial(const std::vector<Integer>& coefficients);
+  /// q x - p for the root p / q in lowest terms.
+  static UnivariatePolynomial with_root(const Rational& root);
   explicit UnivariatePolynomial(const fmpz_poly_t value) : UnivariatePolynomial() { fmpz_poly_set(value_, value); }
   UnivariatePolynomial(const UnivariatePolynomial& other) : UnivariatePolynomial() {
     fmpz_poly_set(value_, other.value_);

@@ -107,17 +107,33 @@ TEST_CASE("Engines: box, pencil and exact agree on rational curves and patches")
   CHECK(pencils > 50);
 }
 
-TEST_CASE("Engines: a contact is left to the exact engine by the box engine") {
+TEST_CASE("Engines: the box engine proves a contact at rational parameters") {
   // z = s^2 + t^2 and a line that touches it in (1/2, 1/2, 1/2).
   CurveSurfaceProblem problem;
   problem.curve = map_of({"t", "1/2", "t - 1/4 + 1/4", "1"}, Interval{0, 1});
   problem.surface = ParametricSurface{
       {tensor_map({"s", "t", "s^2 + t^2", "1"}, symbolic::ParameterRegion{{Interval{0, 1}, {0, 1}}, false})}};
+  for (const Engine engine : {Engine::box, Engine::exact}) {
+    const CurveResult result = solve(problem, engine);
+    CHECK(result.status == Status::certified);
+    REQUIRE(result.solutions.size() == 1);
+    CHECK(result.solutions[0].multiplicity == 2);
+    CHECK(is_t(result.solutions[0], Rational(1) / Rational(2)));
+    CHECK(result.engine.method == (engine == Engine::box ? "box" : "exact"));
+  }
+}
+
+TEST_CASE("Engines: a contact at irrational parameters is left to the exact engine by the box engine") {
+  // z = (s^2 - 1/2)^2 + t - 1/2 along y = 1/2, z = 0: a double root at the square root of 1/2.
+  CurveSurfaceProblem problem;
+  problem.curve = map_of({"t", "1/2", "0", "1"}, Interval{0, 1});
+  problem.surface = ParametricSurface{{tensor_map({"s", "t", "(s^2 - 1/2)^2 + t - 1/2", "1"},
+                                                  symbolic::ParameterRegion{{Interval{0, 1}, {0, 1}}, false})}};
   const CurveResult result = solve(problem, Engine::box);
   CHECK(result.status == Status::certified);
   REQUIRE(result.solutions.size() == 1);
   CHECK(result.solutions[0].multiplicity == 2);
-  CHECK(is_t(result.solutions[0], Rational(1) / Rational(2)));
+  CHECK(result.solutions[0].t->value().real == "0.707106781186548");
   CHECK(result.engine.method == "exact");
 }
 

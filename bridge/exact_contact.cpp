@@ -1,0 +1,516 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/exact_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <eliminant/bridge/bezier_part.hpp>
+#include <eliminant/bridge/contact_series.hpp>
+#include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/symbolic/geometry/bezier.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+using symbolic::Rational;
+
+constexpr std::size_t weight = 3;
+
+/// What contact orders are looked for.
+constexpr std::size_t highest_order = 5;
+
+double binomial(std::size_t n, std::size_t k) {
+  double result = 1;
+  for (std::size_t i = 0; i < k; ++i) result = result * static_cast<double>(n - i) / static_cast<double>(i + 1);
+  return result;
+}
+
+/// The control points between two values of each parameter, and the error of each coordinate.
+struct RestrictedNet {
+  std::vector<Array4d> points;
+  Array4d error;
+};
+
+template <std::size_t P>
+RestrictedNet restricted(const ControlNet& net, const NetShape<P>& shape, const std::array<double, P>& lower,
+                         const std::array<double, P>& upper) {
+  RestrictedNet result{net.points, net.error};
+  for (std::size_t axis = 0; axis < P; ++axis) {
+    Array4d size = Array4d::Zero();
+    for (const Array4d& point : result.points) size = size.max(point.abs());
+    const double beyond = std::max({0.0, -lower[axis], upper[axis] - 1});
+    const auto degree = static_cast<double>(shape.degree[axis]);
+    const double growth = std::exp(2 * degree * (2 * beyond));
+    result.error = growth * (result.error + 20 * degree * unit_roundoff * size);
+    restrict_to(shape, axis, lower[axis], upper[axis], result.points.data());
+  }
+  return result;
+}
+
+template <std::size_t P>
+NetShape<P> shape_of(const ControlNet& net) {
+  NetShape<P> shape;
+  std::copy(net.degrees.begin(), net.degrees.end(), shape.degree.begin());
+  return shape;
+}
+
+/// Affine coordinates in which a contact is at the origin, the tangents of the second side are along the first ones and
+/// the normal is the last: enclosures are tight in them.
+struct ContactFrame {
+  Array4d origin = Array4d::Zero();
+  /// A matrix by columns; the last lane is 0.
+  std::array<Array4d, 3> columns{Array4d::Zero(), Array4d::Zero(), Array4d::Zero()};
+
+  /// The control points in this frame, weights as they were, and their error with that of rounding here.
+  void transform(RestrictedNet& net) const {
+    Array4d size = Array4d::Zero();
+    for (Array4d& point : net.points) {
+      size = size.max(point.abs());
+      const Array4d moved = point - origin * point[3];
+      const double w = point[3];
+      point = columns[0] * moved[0] + columns[1] * moved[1] + columns[2] * moved[2];
+      point[3] = w;
+    }
+    const Array4d moved_error =
+        net.error + origin.abs() * net.error[3] + 16 * unit_roundoff * (size + origin.abs() * size[3]);
+    const double weight_error = net.error[3];
+    net.error =
+        columns[0].abs() * moved_error[0] + columns[1].abs() * moved_error[1] + columns[2].abs() * moved_error[2];
+    net.error[3] = weight_error;
+  }
+};
+
+/// The Taylor coefficients at all points of a box of parameters, enclosed by differences of control points.
+template <std::size_t P>
+TaylorTable<DoubleInterval> taylor_on_box(const ControlNet& net, const ContactFrame& frame,
+                                          const std::array<double, P>& lower, const std::array<double, P>& upper,
+                                          std::size_t order) {
+  const NetShape<P> shape = shape_of<P>(net);
+  RestrictedNet part = restricted(net, shape, lower, upper);
+  frame.transform(part);
+  Array4d size = Array4d::Zero();
+  for (const Array4d& point : part.points) size = size.max(point.abs());
+  TaylorTable<DoubleInterval> table(P, order);
+  const std::size_t rows = shape.degree[0] + 1;
+  const std::size_t columns = P == 2 ? shape.degree[P - 1] + 1 : 1;
+  std::vector<Array4d> by_first = part.points;
+  for (std::size_t i = 0; i <= order; ++i) {
+    if (i > 0) {
+      for (std::size_t r = 0; r + i < rows; ++r)
+        for (std::size_t c = 0; c < columns; ++c)
+          by_first[r * columns + c] = by_first[(r + 1) * columns + c] - by_first[r * columns + c];
+    }
+    std::vector<Array4d> points = by_first;
+    for (std::size_t j = 0; i + j <= order && (P == 2 || j == 0); ++j) {
+      std::array<DoubleInterval, 4>& entry = table.at(i, j);
+      if (i >= rows || j >= columns) {
+        entry.fill(DoubleInterval(0));
+        continue;
+      }
+      if (j > 0) {
+        for (std::size_t r = 0; r + i < rows; ++r)
+          for (std::size_t c = 0; c + j < columns; ++c)
+            points[r * columns + c] = points[r * columns + c + 1] - points[r * columns + c];
+      }
+      Array4d lowest = points[0];
+      Array4d highest = points[0];
+      for (std::size_t r = 0; r + i < rows; ++r)
+        for (std::size_t c = 0; c + j < columns; ++c) {
+          lowest = lowest.min(points[r * columns + c]);
+          highest = highest.max(points[r * columns + c]);
+        }
+      const double doubling = std::ldexp(1.0, static_cast<int>(i + j));
+      const Array4d error = doubling * (part.error + static_cast<double>(i + j) * 2 * unit_roundoff * size);
+      DoubleInterval factor(binomial(shape.degree[0], i));
+      for (std::size_t n = 0; n < i; ++n) factor = factor / (DoubleInterval(upper[0]) - DoubleInterval(lower[0]));
+      if constexpr (P == 2) {
+        factor = factor * DoubleInterval(binomial(shape.degree[1], j));
+        for (std::size_t n = 0; n < j; ++n) factor = factor / (DoubleInterval(upper[1]) - DoubleInterval(lower[1]));
+      }
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto lane = static_cast<long>(k);
+        entry[k] = factor * DoubleInterval::widened(lowest[lane] - error[lane], highest[lane] + error[lane]);
+      }
+    }
+  }
+  return table;
+}
+
+/// The Taylor coefficients near one point, approximately: the middles of those on a box that hardly has a width.
+template <std::size_t P>
+TaylorTable<double> taylor_near(const ControlNet& net, const std::array<double, P>& at, std::size_t order) {
+  // From the nearer end of the domain, where dividing by the remaining length is harmless.
+  const NetShape<P> shape = shape_of<P>(net);
+  std::vector<Array4d> points = net.points;
+  std::array<double, P> lower;
+  std::array<double, P> upper;
+  for (std::size_t axis = 0; axis < P; ++axis) {
+    lower[axis] = at[axis] < 0.5 ? at[axis] : at[axis] - 0.5;
+    upper[axis] = lower[axis] + 0.5;
+    restrict_to(shape, axis, lower[axis], upper[axis], points.data());
+  }
+  TaylorTable<double> table(P, order);
+  const std::size_t rows = shape.degree[0] + 1;
+  const std::size_t columns = P == 2 ? shape.degree[P - 1] + 1 : 1;
+  const bool from_end_a = at[0] >= 0.5;
+  const bool from_end_b = P == 2 && at[P - 1] >= 0.5;
+  for (std::size_t i = 0; i <= order; ++i) {
+    if (i > 0) {
+      for (std::size_t r = 0; r + i < rows; ++r)
+        for (std::size_t c = 0; c < columns; ++c)
+          points[r * columns + c] = points[(r + 1) * columns + c] - points[r * columns + c];
+    }
+    if (i >= rows) break;
+    std::vector<Array4d> row(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(columns));
+    if (from_end_a)
+      std::copy_n(points.begin() + static_cast<std::ptrdiff_t>((rows - 1 - i) * columns), columns, row.begin());
+    for (std::size_t j = 0; i + j <= order && j < columns; ++j) {
+      if (j > 0)
+        for (std::size_t c = 0; c + j < columns; ++c) row[c] = row[c + 1] - row[c];
+      const Array4d value = binomial(shape.degree[0], i) * binomial(shape.degree[P - 1], P == 2 ? j : 0) *
+                            std::ldexp(1.0, static_cast<int>(i + j)) * row[from_end_b ? columns - 1 - j : 0];
+      for (std::size_t k = 0; k < 4; ++k) table.at(i, j)[k] = value[static_cast<long>(k)];
+    }
+  }
+  return table;
+}
+
+/// Exact Taylor coefficients at a rational point.
+TaylorTable<Rational> taylor_at(const ExactNet& net, const std::array<Rational, 2>& at, std::size_t order) {
+  const bool is_patch = net.degrees.size() == 2;
+  const std::size_t rows = net.degrees[0] + 1;
+  const std::size_t columns = is_patch ? net.degrees[1] + 1 : 1;
+  TaylorTable<Rational> table(net.degrees.size(), order);
+  // Coefficients in the powers of (t - at), up to the order, by repeated synthetic division.
+  const auto shifted = [&](const std::vector<Rational>& bernstein, const Rational& by) {
+    std::vector<Rational> c = symbolic::power_coefficients(bernstein, {0, 1});
+    if (!by.is_zero())
+      for (std::size_t i = 0; i + 1 < c.size() && i <= order; ++i)
+        for (std::size_t k = c.size() - 1; k-- > i;) c[k] = c[k] + by * c[k + 1];
+    c.resize(order + 1);
+    return c;
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<std::vector<Rational>> by_row;
+    for (std::size_t r = 0; r < rows; ++r) {
+      std::vector<Rational> line;
+      for (std::size_t c = 0; c < columns; ++c) line.push_back(net.points[r * columns + c][k]);
+      by_row.push_back(is_patch ? shifted(line, at[1]) : line);
+    }
+    for (std::size_t j = 0; j < by_row.front().size() && j <= order; ++j) {
+      std::vector<Rational> line;
+      for (std::size_t r = 0; r < rows; ++r) line.push_back(by_row[r][j]);
+      const std::vector<Rational> column = shifted(line, at[0]);
+      for (std::size_t i = 0; i + j <= order; ++i) table.at(i, j)[k] = column[i];
+    }
+  }
+  return table;
+}
+
+TaylorTable<DoubleInterval> table_on_box(const ControlNet& net, const ContactFrame& frame, const OpenBox& box,
+                                         std::size_t first, std::size_t order) {
+  if (net.parameters() == 1) return taylor_on_box<1>(net, frame, {box.lower[first]}, {box.upper[first]}, order);
+  return taylor_on_box<2>(net, frame, {box.lower[first], box.lower[first + 1]},
+                          {box.upper[first], box.upper[first + 1]}, order);
+}
+
+/// The contact series at all points of a box where the coordinates kept equal are equal.
+struct BoxSeries {
+  TaylorTable<DoubleInterval> curve;
+  TaylorTable<DoubleInterval> other;
+  ContactSeries<DoubleInterval> series;
+
+  BoxSeries(const ControlNet& first, const ControlNet& second, const ContactFrame& frame, const OpenBox& box,
+            std::size_t order)
+      : curve(table_on_box(first, frame, box, 0, order)),
+        other(table_on_box(second, frame, box, 1, order)),
+        series(contact_series(curve, other, second.parameters())) {}
+
+  bool weights_positive() const { return curve.at(0)[weight].lower > 0 && other.at(0)[weight].lower > 0; }
+
+  /// For each parameter of the curve at most one point of the second is equal in the coordinates kept: the derivative
+  /// by its parameters stays near one matrix, minus the identity in the frame of the contact.
+  bool second_injective() const {
+    const std::size_t n = other.parameters();
+    std::array<std::array<DoubleInterval, 2>, 2> jacobian;
+    for (std::size_t r = 0; r < n; ++r)
+      for (std::size_t p = 0; p < n; ++p) {
+        const std::array<DoubleInterval, 4>& slope = p == 0 ? other.at(1, 0) : other.at(0, 1);
+        jacobian[r][p] = curve.at(0)[r] * slope[weight] - slope[r] * curve.at(0)[weight];
+      }
+    const auto middle = [](const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); };
+    for (std::size_t r = 0; r < n; ++r) {
+      const double diagonal = middle(jacobian[r][r]);
+      double sum = 0;
+      for (std::size_t p = 0; p < n; ++p)
+        sum += (jacobian[r][p] - DoubleInterval(r == p ? diagonal : 0)).magnitude() / std::fabs(diagonal);
+      if (!(sum < 0.99)) return false;
+    }
+    return true;
+  }
+};
+
+/// Wide enough in the second's parameters for a branch along it.
+OpenBox box_around(const std::array<double, 3>& parameters, const std::array<double, 2>& slopes, double reach) {
+  OpenBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double half = k == 0 ? reach : reach * (0.25 + 1.25 * std::fabs(slopes[k - 1]));
+    box.lower[k] = parameters[k] - half;
+    box.upper[k] = parameters[k] + half;
+  }
+  return box;
+}
+
+bool is_near_domain(const OpenBox& box, std::size_t parameters) {
+  constexpr double beyond = 0.3;
+  for (std::size_t k = 0; k < parameters; ++k)
+    if (!(box.lower[k] > -beyond && box.upper[k] < 1 + beyond && box.upper[k] - box.lower[k] < 1)) return false;
+  return true;
+}
+
+TaylorTable<double> table_near(const ControlNet& net, double a, double b, std::size_t order) {
+  return net.parameters() == 1 ? taylor_near<1>(net, {a}, order) : taylor_near<2>(net, {a, b}, order);
+}
+
+/// The tangents of the second side, up to a factor, and a normal to them.
+struct Tangents {
+  std::array<std::array<double, 3>, 2> along{};
+  std::array<double, 3> normal{};
+};
+
+std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Tangents tangents(const TaylorTable<double>& second) {
+  Tangents result;
+  for (std::size_t p = 0; p < second.parameters(); ++p) {
+    const std::array<double, 4>& slope = p == 0 ? second.at(1, 0) : second.at(0, 1);
+    for (std::size_t k = 0; k < 3; ++k)
+      result.along[p][k] = (slope[k] * second.at(0)[weight] - second.at(0)[k] * slope[weight]) /
+                           (second.at(0)[weight] * second.at(0)[weight]);
+  }
+  if (second.parameters() == 1) result.along[1] = {0, 0, 1};
+  result.normal = cross(result.along[0], result.along[1]);
+  return result;
+}
+
+/// The coordinate in which the normal is largest; nullopt at a singular point.
+std::optional<std::size_t> normal_coordinate(const TaylorTable<double>& second) {
+  const std::array<double, 3> normal = tangents(second).normal;
+  std::size_t result = 0;
+  for (std::size_t k = 1; k <= second.parameters(); ++k)
+    if (std::fabs(normal[k]) > std::fabs(normal[result])) result = k;
+  if (!(std::fabs(normal[result]) > 0)) return std::nullopt;
+  return result;
+}
+
+/// At a regular point of the second side.
+ContactFrame contact_frame(const TaylorTable<double>& second) {
+  ContactFrame frame;
+  for (std::size_t k = 0; k < 3; ++k) frame.origin[static_cast<long>(k)] = second.at(0)[k] / second.at(0)[weight];
+  const Tangents t = tangents(second);
+  // Rows of the inverse of the matrix of tangents and normal, the normal in lane 1 in the plane.
+  const double square = t.normal[0] * t.normal[0] + t.normal[1] * t.normal[1] + t.normal[2] * t.normal[2];
+  const std::array<double, 3> first = cross(t.along[1], t.normal);
+  const std::array<double, 3> other = cross(t.normal, t.along[0]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double a = first[k] / square;
+    const double b = other[k] / square;
+    const double n = t.normal[k] / std::sqrt(square);
+    frame.columns[k] = second.parameters() == 1 ? Array4d(a, n, 0, 0) : Array4d(a, b, n, 0);
+  }
+  return frame;
+}
+
+/// The simplest fraction that is equal to the number as far as its accuracy goes; nullopt when there is no simple one.
+std::optional<Rational> simple_fraction(double value, double accuracy) {
+  // With many more, a number that is not rational would have one often.
+  constexpr double largest_denominator = 4096;
+  constexpr double largest_power_of_two = 0x1p20;
+  const double scaled = value * largest_power_of_two;
+  if (std::fabs(scaled - std::round(scaled)) <= accuracy * largest_power_of_two)
+    return Rational(std::lround(scaled)) / Rational(static_cast<long>(largest_power_of_two));
+  double p0 = 0;
+  double q0 = 1;
+  double p1 = 1;
+  double q1 = 0;
+  double rest = value;
+  constexpr int most_terms = 20;
+  for (int i = 0; i < most_terms; ++i) {
+    const double whole = std::floor(rest);
+    const double p2 = whole * p1 + p0;
+    const double q2 = whole * q1 + q0;
+    if (!(q2 <= largest_denominator)) return std::nullopt;
+    if (std::fabs(value - p2 / q2) <= accuracy)
+      return Rational(static_cast<long>(p2)) / Rational(static_cast<long>(q2));
+    p0 = std::exchange(p1, p2);
+    q0 = std::exchange(q1, q2);
+    rest = 1 / (rest - whole);
+    if (!std::isfinite(rest)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::array<Rational, 3>> simple_fractions(const std::array<double, 3>& values, std::size_t count,
+                                                        double accuracy) {
+  std::array<Rational, 3> result;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::optional<Rational> fraction = simple_fraction(values[k], accuracy);
+    if (!fraction) return std::nullopt;
+    result[k] = *fraction;
+  }
+  return result;
+}
+
+/// Where the difference vanishes to a high order, as doubles see it.
+struct Approach {
+  std::array<double, 3> parameters;
+  std::size_t normal;
+  std::array<double, 2> slopes;
+};
+
+std::optional<Approach> approach(const ControlNet& first, const ControlNet& second, const std::array<double, 3>& start,
+                                 double reach, std::size_t order) {
+  Approach result{start, 0, {}};
+  std::array<double, 3>& at = result.parameters;
+  constexpr int most_steps = 12;
+  for (int step = 0; step < most_steps; ++step) {
+    for (std::size_t k = 0; k < 1 + second.parameters(); ++k)
+      if (!(std::fabs(at[k] - start[k]) < reach)) return std::nullopt;
+    const TaylorTable<double> a = table_near(first, at[0], 0, order);
+    const TaylorTable<double> b = table_near(second, at[1], at[2], order);
+    const std::optional<std::size_t> normal = normal_coordinate(b);
+    if (!normal) return std::nullopt;
+    result.normal = *normal;
+    const ContactSeries<double> series = contact_series(a, b, *normal);
+    // The second side is led to the first in the coordinates kept equal, then both along until the derivative of order
+    // k - 1 vanishes.
+    std::array<double, 2> correction{};
+    std::array<std::size_t, 2> kept{};
+    for (std::size_t k = 0, found = 0; k <= second.parameters(); ++k)
+      if (k != *normal) kept[found++] = k;
+    std::array<std::array<double, 2>, 2> jacobian{};
+    std::array<double, 2> value{};
+    for (std::size_t r = 0; r < second.parameters(); ++r) {
+      value[r] = a.at(0)[kept[r]] * b.at(0)[weight] - b.at(0)[kept[r]] * a.at(0)[weight];
+      for (std::size_t p = 0; p < second.parameters(); ++p) {
+        const std::array<double, 4>& slope = p == 0 ? b.at(1, 0) : b.at(0, 1);
+        jacobian[r][p] = a.at(0)[kept[r]] * slope[weight] - slope[kept[r]] * a.at(0)[weight];
+      }
+    }
+    if (second.parameters() == 1) {
+      correction[0] = -value[0] / jacobian[0][0];
+    } else {
+      const double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
+      correction[0] = (jacobian[0][1] * value[1] - jacobian[1][1] * value[0]) / determinant;
+      correction[1] = (jacobian[1][0] * value[0] - jacobian[0][0] * value[1]) / determinant;
+    }
+    const double along = -series.difference[order - 1] / (static_cast<double>(order) * series.difference[order]);
+    double largest = std::fabs(along);
+    at[0] += along;
+    for (std::size_t p = 0; p < second.parameters(); ++p) {
+      const double change = correction[p] + along * series.second[p][1];
+      at[1 + p] += change;
+      largest = std::max(largest, std::fabs(change));
+      result.slopes[p] = series.second[p][1];
+    }
+    if (!std::isfinite(largest)) return std::nullopt;
+    constexpr double at_rest = 1e-12;
+    if (largest > at_rest) continue;
+    // A contact of that order, as far as doubles can tell.
+    double size = 0;
+    for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::fabs(a.at(0)[k]), std::fabs(a.at(1)[k])});
+    constexpr double tiny = 1e-10;
+    for (std::size_t k = 0; k + 1 < order; ++k)
+      if (!(std::fabs(series.difference[k]) <= tiny * size * b.at(0)[weight])) return std::nullopt;
+    constexpr double small = 1e-7;
+    if (!(std::fabs(series.difference[order]) > small * size * b.at(0)[weight])) return std::nullopt;
+    return result;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool ContactProver::is_common_point(const std::array<Rational, 3>& parameters) const {
+  const TaylorTable<Rational> a = taylor_at(exact_first_(), {parameters[0], Rational(0)}, 0);
+  const TaylorTable<Rational> b = taylor_at(exact_second_(), {parameters[1], parameters[2]}, 0);
+  if (a.at(0)[weight].is_zero() || b.at(0)[weight].is_zero()) return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(a.at(0)[k] * b.at(0)[weight] == b.at(0)[k] * a.at(0)[weight])) return false;
+  return true;
+}
+
+std::optional<std::array<Rational, 3>> ContactProver::exact_zero(const IsolatedZero& zero) const {
+  constexpr double least_accuracy = 1e-9;
+  if (!(zero.radius < least_accuracy)) return std::nullopt;
+  std::optional<std::array<Rational, 3>> result =
+      simple_fractions(zero.parameters, 1 + second_.parameters(), zero.radius);
+  if (!result || !is_common_point(*result)) return std::nullopt;
+  return result;
+}
+
+bool ContactProver::vanishes_to(const std::array<Rational, 3>& parameters, std::size_t normal,
+                                std::size_t order) const {
+  const TaylorTable<Rational> a = taylor_at(exact_first_(), {parameters[0], Rational(0)}, order - 1);
+  const TaylorTable<Rational> b = taylor_at(exact_second_(), {parameters[1], parameters[2]}, order - 1);
+  const ContactSeries<Rational> series = contact_series(a, b, normal);
+  return std::all_of(series.difference.begin(), series.difference.end(),
+                     [](const Rational& coefficient) { return coefficient.is_zero(); });
+}
+
+std::optional<OpenBox> ContactProver::alone_around(const std::array<double, 3>& parameters, std::size_t order,
+                                                   const std::array<double, 2>& slopes) const {
+  const ContactFrame frame = contact_frame(table_near(second_, parameters[1], parameters[2], 1));
+  // Differences of higher order on a much narrower box would be lost in the rounding of the control points.
+  constexpr double hardly_wide = 0x1p-11;
+  const BoxSeries at_contact(first_, second_, frame, box_around(parameters, slopes, hardly_wide), order);
+  constexpr double widest = 0x1p-2;
+  constexpr double narrowest = 0x1p-12;
+  for (double reach = widest; reach >= narrowest; reach *= 0.5) {
+    const OpenBox box = box_around(parameters, slopes, reach);
+    if (!is_near_domain(box, 1 + second_.parameters())) continue;
+    const BoxSeries on_box(first_, second_, frame, box, order + 1);
+    if (!on_box.weights_positive() || !on_box.second_injective()) continue;
+    // A branch of the second that stays in the box as long as the parameter of the first does.
+    bool stays = true;
+    for (std::size_t p = 0; p < second_.parameters(); ++p)
+      stays = stays && on_box.series.second[p][1].magnitude() * reach < 0.499 * (box.upper[1 + p] - box.lower[1 + p]);
+    if (!stays) continue;
+    // The k-th derivative, straight or by its mean value form.
+    const DoubleInterval step(-reach * (1 + 1e-9), reach * (1 + 1e-9));
+    const DoubleInterval mean = at_contact.series.difference[order] + DoubleInterval(static_cast<double>(order + 1)) *
+                                                                          on_box.series.difference[order + 1] * step;
+    const auto one_sign = [](const DoubleInterval& x) { return x.excludes_zero() && x.is_finite(); };
+    if (one_sign(on_box.series.difference[order]) || one_sign(mean)) return box;
+  }
+  return std::nullopt;
+}
+
+std::optional<OpenBox> ContactProver::find(const std::array<double, 3>& near, double reach) {
+  for (std::size_t order = 2; order <= highest_order; ++order) {
+    const std::optional<Approach> found = approach(first_, second_, near, reach, order);
+    if (!found) continue;
+    const auto& at = found->parameters;
+    const auto is_there = [&](const RationalZero& contact) {
+      for (std::size_t k = 0; k < 1 + second_.parameters(); ++k)
+        if (at[k] < contact.alone_in.lower[k] || at[k] > contact.alone_in.upper[k]) return false;
+      return true;
+    };
+    if (std::any_of(contacts_.begin(), contacts_.end(), is_there)) return std::nullopt;
+    constexpr double accuracy = 1e-11;
+    const auto exact = simple_fractions(at, 1 + second_.parameters(), accuracy);
+    if (!exact || !is_common_point(*exact) || !vanishes_to(*exact, found->normal, order)) continue;
+    const std::optional<OpenBox> box = alone_around(at, order, found->slopes);
+    if (!box) continue;
+    contacts_.push_back({*exact, order, *box});
+    return box;
+  }
+  return std::nullopt;
+}
+
+}  // namespace eliminant::bridge
