@@ -27,6 +27,9 @@ struct PointOnCurve {
   long precision_bits = 0;
 };
 
+/// What enclosures say to a question.
+enum class Answer { yes, no, unknown };
+
 enum class Filling {
   done,
   more_precision,  ///< the balls are too wide

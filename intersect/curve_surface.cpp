@@ -11,6 +11,7 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/krawczyk_system.hpp>
 #include <eliminant/intersect/common_points.hpp>
+#include <eliminant/intersect/contained_curve.hpp>
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/merge_pieces.hpp>
@@ -36,8 +37,6 @@ using symbolic::RationalCurve;
 using symbolic::RationalSurface;
 using symbolic::SurfacePiece;
 using symbolic::UnivariatePolynomial;
-
-enum class Answer { yes, no, unknown };
 
 /// One piece of the curve with one piece of the surface.
 class PiecePair {
@@ -179,12 +178,9 @@ class PiecePair {
         warn("the curve lies in a plane that belongs to a base point of the surface: its intersections are not known");
         return;
       }
-      if (!surface_.degree().proven) {
-        // One general point was looked at.
-        result_.status = Status::numeric;
-        overlap_certified_ = false;
-      }
-      add_contained_curve();
+      // Without a proven degree one general point was looked at.
+      if (!surface_.degree().proven) result_.status = Status::numeric;
+      add_contained_curve(surface_.degree().proven);
       return;
     }
     minors_ = condition;
@@ -213,7 +209,7 @@ class PiecePair {
     Answer inside = surface_.piece.region ? Answer::no : Answer::yes;
     for (const HomogeneousParameters& parameters : preimages->parameters) {
       if (is_base_point(parameters, point)) {
-        if (point.precision_bits < largest_precision) return Filling::more_precision;
+        if (point.precision_bits < largest_preimage_precision) return Filling::more_precision;
         continue;
       }
       std::optional<std::vector<Parameter>> printed = print(parameters, point, solution.radius_exponent);
@@ -268,7 +264,7 @@ class PiecePair {
   /// A kernel of larger dimension is believed when no precision shows a smaller one. Its parameters count when they are
   /// proven one by one.
   std::optional<Preimages> find_preimages(const PointOnCurve& point) {
-    const bool patient = point.precision_bits < largest_precision;
+    const bool patient = point.precision_bits < largest_preimage_precision;
     const long most = patient ? surface_.degree().map_degree : surface_.matrix().rows();
     std::optional<Preimages> found = surface_.inversion_for(1).preimages(
         point.coordinates, most, surface_.degree().map_degree, point.precision_bits);
@@ -436,66 +432,15 @@ class PiecePair {
     return result;
   }
 
-  /// The curve lies in the surface: in the patch it lies between parameters at which it crosses the borders.
-  void add_contained_curve() {
-    if (!surface_.piece.region) {
-      add_whole_curve();
-      return;
-    }
-    UnivariatePolynomial crossings({symbolic::Integer(1)});
-    for (const auto& [group, value] : borders_of_region()) {
-      const ParameterForm& condition = borders_.condition(group, value);
-      if (!condition.finite.is_zero()) crossings = crossings * condition.finite;
-    }
-    if (curve_.domain)
-      for (const Rational& end : {curve_.domain->lower, curve_.domain->upper})
-        crossings = crossings * UnivariatePolynomial({-end.numerator(), end.denominator()});
-    if (crossings.degree() < 1) crossings = UnivariatePolynomial({symbolic::Integer(0), symbolic::Integer(1)});
-    UnivariatePolynomial squarefree({symbolic::Integer(1)});
-    for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(crossings))
-      squarefree = squarefree * part.factor;
-    ParameterRoots ends(squarefree, Wanted::real, context_);
-    std::vector<std::size_t> cuts;
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      if (!curve_.domain || (ends.compare(i, curve_.domain->lower) >= 0 && ends.compare(i, curve_.domain->upper) <= 0))
-        cuts.push_back(i);
-    if (cuts.empty()) {
-      add_stretch_if_inside(whole_curve(curve_, options_), Rational(0));
-      return;
-    }
-    // From cut to cut; what is inside on both sides of a cut is one stretch.
-    bool open = false;
-    std::size_t opened_at = 0;
-    std::vector<bool> inside_after(cuts.size(), false);
-    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) inside_after[k] = is_inside(between(ends, cuts[k], cuts[k + 1]));
-    bool through_infinity = false;
-    if (!curve_.domain) {
-      through_infinity = is_inside(beyond(ends, cuts.back()));
-      inside_after.back() = through_infinity;
-      if (std::all_of(inside_after.begin(), inside_after.end(), [](bool inside) { return inside; })) {
-        add_whole_curve();
-        return;
-      }
-    }
-    // Of a stretch through infinity the beginning lies behind its end.
-    if (through_infinity) {
-      std::size_t first = cuts.size() - 1;
-      while (inside_after[first - 1]) --first;
-      open = true;
-      opened_at = cuts[first];
-    }
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
-      if (open && !inside_after[k]) {
-        add_stretch(ends, opened_at, cuts[k]);
-        open = false;
-      }
-      if (!open && inside_after[k]) {
-        if (through_infinity && std::all_of(inside_after.begin() + static_cast<std::ptrdiff_t>(k), inside_after.end(),
-                                            [](bool inside) { return inside; }))
-          break;
-        open = true;
-        opened_at = cuts[k];
-      }
+  /// The curve lies in the surface; `certified` tells whether that is proven.
+  void add_contained_curve(bool certified = true) {
+    const PatchTest is_within_patch = [&](const HomogeneousParameters& parameters, const PointOnCurve& point) {
+      return is_within(parameters, point);
+    };
+    for (Overlap& overlap : contained_stretches(curve_, surface_, borders_, is_within_patch, options_, context_)) {
+      overlap.certified = overlap.certified && certified;
+      if (!overlap.certified) result_.status = Status::numeric;
+      result_.overlap.push_back(std::move(overlap));
     }
   }
 
@@ -513,102 +458,6 @@ class PiecePair {
                                 [&](const HomogeneousParameters& p) { return !is_base_point(p, point); });
   }
 
-  std::vector<std::pair<std::size_t, Rational>> borders_of_region() const {
-    const symbolic::ParameterRegion& region = *surface_.piece.region;
-    if (region.triangle) return {{0, Rational(0)}, {1, Rational(0)}, {2, Rational(0)}};
-    return {
-        {0, region.sides[0].lower}, {0, region.sides[0].upper}, {1, region.sides[1].lower}, {1, region.sides[1].upper}};
-  }
-
-  /// A rational number between two roots, or above one.
-  static Rational between(ParameterRoots& roots, std::size_t lower, std::size_t upper) {
-    for (long bits = 32;; bits *= 2) {
-      roots.refine(lower, bits);
-      roots.refine(upper, bits);
-      bridge::RealBall sum;
-      arb_add(sum.get(), roots.ball(lower).real(), roots.ball(upper).real(), ARF_PREC_EXACT);
-      arb_mul_2exp_si(sum.get(), sum.get(), -1);
-      Rational middle;
-      arf_get_fmpq(middle.get(), arb_midref(sum.get()));
-      if (roots.compare(lower, middle) < 0 && roots.compare(upper, middle) > 0) return middle;
-    }
-  }
-  static Rational beyond(ParameterRoots& roots, std::size_t last) {
-    bridge::RealBall above;
-    arb_get_ubound_arf(arb_midref(above.get()), roots.ball(last).real(), 64);
-    symbolic::Integer whole;
-    arf_get_fmpz(whole.get(), arb_midref(above.get()), ARF_RND_CEIL);
-    return whole + symbolic::Integer(1);
-  }
-
-  /// Whether the point of a rational parameter, which is on no border, lies in the patch.
-  bool is_inside(const Rational& t) {
-    PointOnCurve point;
-    point.exact_t = t;
-    point.real = true;
-    for (point.precision_bits = 128;; point.precision_bits *= 2) {
-      context_.checkpoint("cutting a curve in the surface");
-      point.coordinates.clear();
-      for (const Rational& coordinate : curve_.map.at(t)) {
-        ComplexBall& ball = point.coordinates.emplace_back();
-        arb_set_fmpq(ball.real(), coordinate.get(), point.precision_bits);
-      }
-      const bool patient = point.precision_bits < largest_precision && surface_.degree().map_degree == 1;
-      const long most = patient ? 1 : surface_.matrix().rows();
-      auto found = surface_.inversion_for(1).preimages(point.coordinates, most, surface_.degree().map_degree,
-                                                       point.precision_bits);
-      if (!found) continue;
-      if (found->kernel_dimension > 1) {
-        found = surface_.inversion_for(found->kernel_dimension)
-                    .preimages(point.coordinates, std::numeric_limits<long>::max(), surface_.degree().map_degree,
-                               point.precision_bits);
-        overlap_certified_ = false;
-      }
-      Answer inside = Answer::no;
-      for (const HomogeneousParameters& parameters : found->parameters) {
-        const Answer within = is_within(parameters, point);
-        if (within == Answer::yes || inside != Answer::yes) inside = within;
-        if (inside == Answer::yes) break;
-      }
-      if (inside != Answer::unknown || !found->proven) return inside == Answer::yes;
-    }
-  }
-
-  void add_whole_curve() {
-    Overlap overlap = whole_curve(curve_, options_);
-    overlap.certified = overlap.certified && overlap_certified_;
-    result_.overlap.push_back(std::move(overlap));
-  }
-
-  void add_stretch_if_inside(Overlap overlap, const Rational& sample) {
-    const Rational t = curve_.domain ? (curve_.domain->lower + curve_.domain->upper) *
-                                           Rational(symbolic::Integer(1), symbolic::Integer(2))
-                                     : sample;
-    if (!is_inside(t)) return;
-    overlap.certified = overlap.certified && overlap_certified_;
-    result_.overlap.push_back(std::move(overlap));
-  }
-
-  void add_stretch(ParameterRoots& ends, std::size_t first, std::size_t last) {
-    ParameterInterval interval;
-    const std::array<std::size_t, 2> indices{first, last};
-    for (std::size_t k = 0; k < 2; ++k) {
-      long radius_exponent = 0;
-      for (long bits = bits_for_digits(options_.digits) + 32; !interval[k]; bits *= 2) {
-        ends.refine(indices[k], bits);
-        interval[k] = print_value(ends.ball(indices[k]), options_.digits, radius_exponent);
-      }
-    }
-    Overlap overlap;
-    overlap.t = interval;
-    overlap.certified = options_.certify && overlap_certified_;
-    if (!overlap.certified) result_.status = Status::numeric;
-    result_.overlap.push_back(std::move(overlap));
-  }
-
-  /// Beyond this, what cannot be told from a larger kernel or a base point is taken for one.
-  static constexpr long largest_precision = 1500;
-
   const CurvePiece& curve_;
   PreparedSurface& surface_;
   const Options& options_;
@@ -616,7 +465,6 @@ class PiecePair {
   CurveResult& result_;
   SurfaceBorders borders_;
   ParameterForm minors_;
-  bool overlap_certified_ = true;
 };
 
 CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& options, const Context& context) {

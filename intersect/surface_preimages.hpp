@@ -13,6 +13,9 @@ namespace eliminant::intersect {
 
 using bridge::HomogeneousParameters;
 
+/// Beyond this many bits, what cannot be told from a larger kernel or a base point is taken for one.
+inline constexpr long largest_preimage_precision = 1500;
+
 /// What the kernel of M(P) says of the parameters of a point P of the surface.
 struct Preimages {
   /// At least the number of parameters, with multiplicity, of the point on the surface or in its limits.
