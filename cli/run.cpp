@@ -18,6 +18,7 @@
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/self_intersection.hpp>
 #include <eliminant/io/candidates_file.hpp>
 #include <eliminant/io/certificate_json.hpp>
 #include <eliminant/io/curve_result_csv.hpp>
@@ -63,6 +64,7 @@ class Interruptible {
 const char* kind_of(const intersect::PlaneCurvesProblem& /*problem*/) { return "plane_curves"; }
 const char* kind_of(const intersect::CurveSurfaceProblem& /*problem*/) { return "curve_surface"; }
 const char* kind_of(const intersect::CurveCurveProblem& /*problem*/) { return "curve_curve"; }
+const char* kind_of(const intersect::SelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
 const char* kind_of(const intersect::ImplicitizeProblem& /*problem*/) { return "implicitize"; }
 
 void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
@@ -178,6 +180,17 @@ class Run {
     const intersect::CurveResult result = watched(
         [&](const Context& context) { return intersect::intersect_curve_curve(problem, options_.solve, context); });
     announce(result, result.status == intersect::Status::infinite ? "the curves coincide" : "");
+    give(print(result));
+    return exit_status(result.status);
+  }
+
+  int solve(const intersect::SelfIntersectionProblem& problem) {
+    refuse_certificate();
+    const intersect::CurveResult result = watched([&](const Context& context) {
+      return intersect::intersect_curve_with_itself(problem, options_.solve, context);
+    });
+    announce(result,
+             result.status == intersect::Status::infinite ? "a part of the curve is traced more than once" : "");
     give(print(result));
     return exit_status(result.status);
   }

@@ -165,7 +165,9 @@ bool joined(const CurvePiece& before, const CurvePiece& after) {
 }
 
 bool is_at(const std::optional<Parameter>& parameter, const Rational& value) {
-  return parameter && *parameter && acb_contains_fmpq((*parameter)->ball.get(), value.get()) != 0;
+  if (!parameter || !*parameter) return false;
+  if ((*parameter)->exact) return *(*parameter)->exact == value;
+  return acb_contains_fmpq((*parameter)->ball.get(), value.get()) != 0;
 }
 
 void add_part(Status status, const CurveCounts& counts, const EngineReport& engine,

@@ -63,7 +63,7 @@ Overlap whole_curve(const symbolic::CurvePiece& piece, const Options& options);
 /// True when the curve of a piece arrives where the next one begins, so that a solution there is one.
 bool joined(const symbolic::CurvePiece& before, const symbolic::CurvePiece& after);
 
-/// Whether the parameter is printed from a ball that contains the number.
+/// Whether the parameter is known to be the number, or, where it is not known exactly, has a ball that contains it.
 bool is_at(const std::optional<Parameter>& parameter, const symbolic::Rational& value);
 
 /// Adds up counts, and what else a part of a problem says.

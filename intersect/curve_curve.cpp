@@ -8,6 +8,7 @@
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/map_pair.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/seams.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 
 namespace eliminant::intersect {
@@ -19,6 +20,15 @@ using symbolic::CurvePiece;
 using symbolic::ParametricCurve;
 using symbolic::Polynomial;
 using symbolic::Rational;
+
+/// True when the two ends that touch have been found as a solution.
+bool is_among(const CurveSolution& touch, const std::vector<CurveSolution>& solutions) {
+  const auto at = [](const std::optional<Parameter>& a, const std::optional<Parameter>& exact) {
+    return a && a->has_value() == exact->has_value() && (!*a || is_at(a, *(*exact)->exact));
+  };
+  return std::any_of(solutions.begin(), solutions.end(),
+                     [&](const CurveSolution& other) { return at(other.t, touch.t) && at(other.u, touch.u); });
+}
 
 class CurveCurve {
  public:
@@ -58,46 +68,30 @@ class CurveCurve {
         if (piece.map.dimension() != dimension)
           throw InvalidInput("a curve in space meets a plane curve", "two curves in the plane or two in space");
     result_.in_plane = dimension == 2;
+    const Seams t_seams(first);
+    const Seams u_seams(second);
     for (std::size_t i = 0; i < first.pieces.size(); ++i)
       for (std::size_t j = 0; j < second.pieces.size(); ++j) {
         MapPairResult part = intersect_map_pair(first.pieces[i], second.pieces[j], options_, context_);
         add_part(part.status, part.counts, part.engine, part.warnings, result_);
-        // A solution on a seam belongs to the piece that ends there.
-        const bool t_seam = i > 0 && joined(first.pieces[i - 1], first.pieces[i]);
-        const bool u_seam = j > 0 && joined(second.pieces[j - 1], second.pieces[j]);
-        for (std::vector<CurveSolution>* solutions : {&part.solutions, &part.touches})
-          for (CurveSolution& solution : *solutions) {
-            if (t_seam && is_at(solution.t, first.pieces[i].domain->lower)) continue;
-            if (u_seam && is_at(solution.u, second.pieces[j].domain->lower)) continue;
-            if (solutions == &part.touches && (touches_overlap(solution) || is_listed(solution))) continue;
-            result_.solutions.push_back(std::move(solution));
-          }
+        std::erase_if(part.touches, [&](const CurveSolution& touch) { return is_among(touch, part.solutions); });
+        for (const std::vector<CurveSolution>* solutions : {&part.solutions, &part.touches})
+          for (const CurveSolution& solution : *solutions)
+            if (!t_seams.is_left_to_another(i, solution.t) && !u_seams.is_left_to_another(j, solution.u))
+              result_.solutions.push_back(solution);
         result_.overlap.insert(result_.overlap.end(), part.overlap.begin(), part.overlap.end());
       }
-  }
-
-  /// True when the two ends have been found as a solution.
-  bool is_listed(const CurveSolution& touch) const {
-    const auto at = [](const std::optional<Parameter>& a, const std::optional<Parameter>& exact) {
-      return a && a->has_value() == exact->has_value() && (!*a || is_at(a, *(*exact)->exact));
-    };
-    return std::any_of(result_.solutions.begin(), result_.solutions.end(),
-                       [&](const CurveSolution& other) { return at(other.t, touch.t) && at(other.u, touch.u); });
-  }
-
-  /// True when an overlap that was found already has this end.
-  bool touches_overlap(const CurveSolution& solution) const {
-    return std::any_of(result_.overlap.begin(), result_.overlap.end(), [&](const Overlap& overlap) {
-      return overlap.t && std::any_of(overlap.t->begin(), overlap.t->end(), [&](const Parameter& end) {
-               return end && end->exact && is_at(solution.t, *end->exact);
-             });
+    std::erase_if(result_.solutions, [&](const CurveSolution& solution) {
+      return ends_overlap(solution, result_.overlap, t_seams, u_seams);
     });
+    join_overlaps(result_.overlap);
   }
 
   /// f(x / w, y / w) w^deg f along the map: the intersections are the roots of one polynomial.
   void intersect_map_with_equation(const ParametricCurve& curve, const Polynomial& equation, bool equation_first) {
     if (equation.is_zero()) throw InvalidInput("the equation of a curve is 0", "a polynomial that is not constant");
     if (equation.is_constant()) throw InvalidInput("the equation of a curve is constant", "a curve");
+    const Seams seams(curve);
     for (std::size_t i = 0; i < curve.pieces.size(); ++i) {
       const CurvePiece& piece = curve.pieces[i];
       if (piece.map.dimension() != 2) throw InvalidInput("a curve in space meets a plane curve", "a plane curve");
@@ -111,10 +105,9 @@ class CurveCurve {
         add_condition_roots(
             piece, condition, 1, real_only(options_, piece.domain.has_value()), options_, context_,
             [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result_);
-      if (i > 0 && joined(curve.pieces[i - 1], piece))
-        std::erase_if(result_.solutions, [&, index = std::size_t{0}](const CurveSolution& solution) mutable {
-          return index++ >= before && is_at(solution.t, piece.domain->lower);
-        });
+      std::erase_if(result_.solutions, [&, index = std::size_t{0}](const CurveSolution& solution) mutable {
+        return index++ >= before && seams.is_left_to_another(i, solution.t);
+      });
     }
     if (equation_first) {
       for (CurveSolution& solution : result_.solutions) std::swap(solution.t, solution.u);
@@ -155,7 +148,7 @@ class CurveCurve {
       solution.reason = s.reason;
       result_.solutions.push_back(std::move(solution));
     }
-    if (plane.status == Status::infinite) result_.overlap.push_back({{}, {}, true});
+    if (plane.status == Status::infinite) result_.overlap.push_back({{}, {}, false, true});
   }
 
   const Options& options_;

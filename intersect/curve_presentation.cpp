@@ -35,8 +35,9 @@ std::array<Rational, 2> key(const Coordinate& coordinate) {
   return {symbolic::parse_number(coordinate.real), symbolic::parse_number(coordinate.imaginary)};
 }
 
-/// -1, 0 or 1; what is absent is equal, infinity is last.
-int compare(const std::optional<Parameter>& a, const std::optional<Parameter>& b) {
+}  // namespace
+
+int compare_parameters(const std::optional<Parameter>& a, const std::optional<Parameter>& b) {
   if (!a || !b) return 0;
   if (!*a || !*b) return (*a ? 0 : 1) - (*b ? 0 : 1);
   const std::array<Rational, 2> first = key(**a);
@@ -45,8 +46,6 @@ int compare(const std::optional<Parameter>& a, const std::optional<Parameter>& b
     if (!(first[k] == second[k])) return first[k] < second[k] ? -1 : 1;
   return 0;
 }
-
-}  // namespace
 
 std::optional<Coordinate> print_value(const ComplexBall& value, long digits, long& radius_exponent) {
   if (acb_is_zero(value.get()) != 0) return Coordinate{value, "0", "0", Rational(0)};
@@ -130,14 +129,14 @@ bool crowded(const std::vector<CurveSolution>& solutions) {
 void sort_solutions(std::vector<CurveSolution>& solutions) {
   const auto before = [](const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
     for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
-      if (const int order = compare(a[k], b[k]); order != 0) return order < 0;
+      if (const int order = compare_parameters(a[k], b[k]); order != 0) return order < 0;
     return false;
   };
   for (CurveSolution& solution : solutions)
     std::stable_sort(solution.surface_parameters.begin(), solution.surface_parameters.end(), before);
   std::stable_sort(solutions.begin(), solutions.end(), [](const CurveSolution& a, const CurveSolution& b) {
-    const int by_t = compare(a.t, b.t);
-    return by_t != 0 ? by_t < 0 : compare(a.u, b.u) < 0;
+    const int by_t = compare_parameters(a.t, b.t);
+    return by_t != 0 ? by_t < 0 : compare_parameters(a.u, b.u) < 0;
   });
 }
 

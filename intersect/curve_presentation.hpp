@@ -31,6 +31,9 @@ std::optional<std::vector<Coordinate>> print_normalized(const std::vector<bridge
 /// True when the printed boxes of two solutions meet: more digits are needed to tell them apart.
 bool crowded(const std::vector<CurveSolution>& solutions);
 
+/// -1, 0 or 1 by the printed real and imaginary parts; what is absent is equal, infinity is last.
+int compare_parameters(const std::optional<Parameter>& a, const std::optional<Parameter>& b);
+
 /// By (Re t, Im t), infinity last, then the same of u; of each solution the parameters on the surface likewise.
 void sort_solutions(std::vector<CurveSolution>& solutions);
 

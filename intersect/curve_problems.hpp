@@ -34,4 +34,9 @@ struct CurveCurveProblem {
   Curve second;
 };
 
+/// All points that a curve passes more than once, and its singular points.
+struct SelfIntersectionProblem {
+  Curve curve;
+};
+
 }  // namespace eliminant::intersect

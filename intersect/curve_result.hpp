@@ -15,7 +15,15 @@ namespace eliminant::intersect {
 /// A point of the projective line: nullopt is infinity.
 using Parameter = std::optional<Coordinate>;
 
-/// One intersection of a curve with a curve or a surface.
+/// What a pair of parameters with one point is, of a curve with itself.
+enum class PairKind {
+  crossing,  ///< two real parameters, transversal or not
+  isolated,  ///< conjugate parameters: a real point away from the real branches (acnode)
+  cusp,      ///< one parameter at which the derivative of the map vanishes (ramification)
+  complex,   ///< neither
+};
+
+/// One intersection of a curve with a curve or a surface, or of a curve with itself.
 struct CurveSolution {
   /// On the curve; with two curves on the first. Absent where it is given by an equation (curve_curve).
   std::optional<Parameter> t;
@@ -29,7 +37,11 @@ struct CurveSolution {
   /// A squarefree polynomial over Z of which t is a root, where the engine had one.
   std::optional<symbolic::UnivariatePolynomial> t_polynomial;
   /// Intersection multiplicity of the curve (at this parameter) with the surface or the other curve.
+  /// Of a curve with itself: of the two branches, of a cusp the delta invariant of its branch; of an equation the
+  /// Milnor number.
   unsigned long multiplicity = 1;
+  /// Of a curve with itself, where it is known.
+  std::optional<PairKind> kind;
   /// Of the eigenvalue of the pencil: larger at embedded points of the matrix representation. Only the pencil engine.
   std::optional<unsigned long> eigenvalue_multiplicity;
   /// Real, and within all closed domains.
@@ -50,7 +62,19 @@ struct Overlap {
   std::optional<ParameterInterval> t;
   /// With two curves: on the second one.
   std::optional<ParameterInterval> u;
+  /// u decreases as t increases.
+  bool reversed = false;
   bool certified = false;
+};
+
+/// A point of a curve with all parameters that are listed of it.
+struct SingularPoint {
+  std::vector<Coordinate> point;
+  /// Each once, in the order of solutions.
+  std::vector<Parameter> parameters;
+  Reality reality = Reality::undecided;
+  /// The sum over its pairs: the delta invariant of a plane curve, where all parameters are listed.
+  unsigned long multiplicity = 0;
 };
 
 /// The audit over the complex projective parameter line.
@@ -69,7 +93,7 @@ struct CurveCounts {
 };
 
 struct CurveResult {
-  std::string problem;  ///< "curve_surface" or "curve_curve"
+  std::string problem;  ///< "curve_surface", "curve_curve" or "self_intersection"
   /// Two plane curves: points are (x : y : w).
   bool in_plane = false;
   /// With two curves: the first, the second is given by an equation and has no parameter.
@@ -81,6 +105,13 @@ struct CurveResult {
   CurveCounts counts;
   /// Sorted by the (first) parameter: (Re t, Im t), infinity last; then by u or the point.
   std::vector<CurveSolution> solutions;
+  /// Of a curve with itself: the solutions by their points.
+  /// By their first parameters.
+  std::vector<SingularPoint> singular_points;
+  /// Of a curve with itself: it ends where it begins, which is no solution.
+  bool closed = false;
+  /// Of a curve with itself: how often the map of its pieces takes a general point, at most.
+  unsigned long covering = 1;
   /// Only for `infinite`.
   std::vector<Overlap> overlap;
   EngineReport engine;

@@ -17,6 +17,7 @@
 #include <eliminant/intersect/merge_pieces.hpp>
 #include <eliminant/intersect/prepared_surface.hpp>
 #include <eliminant/intersect/presentation.hpp>
+#include <eliminant/intersect/seams.hpp>
 #include <eliminant/intersect/surface_borders.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 #include <eliminant/symbolic/elimination/surface_resultant.hpp>
@@ -491,6 +492,7 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
             [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result);
     }
   } else {
+    const Seams seams(problem.curve);
     const std::vector<SurfacePiece>& pieces = std::get<ParametricSurface>(problem.surface).pieces;
     for (const SurfacePiece& surface : pieces) {
       PreparedSurface prepared(surface, options.seed, context);
@@ -498,9 +500,8 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
         const CurvePiece& curve = problem.curve.pieces[i];
         const std::size_t before = result.solutions.size();
         PiecePair(curve, prepared, options, context, result).run();
-        if (i == 0 || !joined(problem.curve.pieces[i - 1], curve)) continue;
         for (std::size_t k = result.solutions.size(); k-- > before;)
-          if (is_at(result.solutions[k].t, curve.domain->lower))
+          if (seams.is_left_to_another(i, result.solutions[k].t))
             result.solutions.erase(result.solutions.begin() + static_cast<std::ptrdiff_t>(k));
       }
     }

@@ -11,5 +11,6 @@
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/result.hpp>
+#include <eliminant/intersect/self_intersection.hpp>
 #include <eliminant/intersect/surface_representation.hpp>
 #include <eliminant/version.hpp>

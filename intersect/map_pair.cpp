@@ -7,16 +7,16 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/curve_boxes.hpp>
+#include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/parameter_roots.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/presentation.hpp>
+#include <eliminant/intersect/third_equation.hpp>
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
 #include <eliminant/symbolic/elimination/common_component.hpp>
 #include <eliminant/symbolic/elimination/factors.hpp>
 #include <eliminant/symbolic/elimination/resultant.hpp>
-#include <eliminant/symbolic/elimination/univariate_representation.hpp>
-#include <eliminant/symbolic/elimination/vanishing_factors.hpp>
 #include <eliminant/symbolic/matrices/moving_lines.hpp>
 
 namespace eliminant::intersect {
@@ -72,13 +72,14 @@ struct Equation {
 struct Pair {
   std::optional<ComplexBall> t;
   std::optional<ComplexBall> u;
+  /// The end of the domain at which the parameter is, exactly.
+  std::optional<Rational> t_end;
+  std::optional<Rational> u_end;
   unsigned long multiplicity = 1;
   Reality reality = Reality::undecided;
   bool certified = false;
   std::string reason;
 };
-
-enum class Answer { yes, no, unknown };
 
 /// Significant bits of a ball; those of an exact one have no end.
 long accuracy(const ComplexBall& z) { return std::clamp<long>(acb_rel_accuracy_bits(z.get()), 0, 1L << 20); }
@@ -87,18 +88,23 @@ struct Moebius;
 
 class MapPair {
  public:
-  MapPair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second, const Options& options,
+  /// With `itself` the two pieces are one, and t = u is divided out.
+  MapPair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second, bool itself, const Options& options,
           const Context& context)
       : first_(first), second_(second), options_(options), context_(context) {
-    const std::vector<symbolic::MovingLine> basis = symbolic::moving_line_basis(first.map);
-    for (const symbolic::MovingLine& line : basis)
-      component_ = symbolic::split_common_component(component_, incidence(line, second.map)).component;
-    for (const symbolic::MovingLine& line : basis) {
-      const Polynomial equation = incidence(line, second.map);
+    const long diagonal = itself ? 1 : 0;
+    const Polynomial difference = Polynomial::variable(2, 0) - Polynomial::variable(2, 1);
+    for (const symbolic::MovingLine& line : symbolic::moving_line_basis(first.map)) {
+      Polynomial equation = incidence(line, second.map);
       // Curves in one plane: that plane says nothing.
       if (equation.is_zero()) continue;
-      equations_.push_back({symbolic::exact_quotient(equation, component_),
-                            {degree_of(line) - component_.degree(0), second.map.degree() - component_.degree(1)}});
+      if (itself) equation = symbolic::exact_quotient(equation, difference);
+      component_ = symbolic::split_common_component(component_, equation).component;
+      equations_.push_back({equation, {degree_of(line) - diagonal, second.map.degree() - diagonal}});
+    }
+    for (Equation& equation : equations_) {
+      equation.polynomial = symbolic::exact_quotient(equation.polynomial, component_);
+      for (std::size_t axis = 0; axis < 2; ++axis) equation.bidegree[axis] -= component_.degree(axis);
     }
     while (equations_.size() < 2) equations_.push_back({Polynomial::constant(2, Rational(1)), {0, 0}});
   }
@@ -109,6 +115,7 @@ class MapPair {
     // In space the number is not known beforehand.
     if (!in_space()) result_.counts.expected = static_cast<unsigned long>(a[0] * b[1] + a[1] * b[0]);
     result_.coincident = !component_.is_constant();
+    result_.component_degree = std::max(component_.degree(0), 0L);
     constexpr long guard_digits = 8;
     for (long digits = options_.digits + guard_digits;; digits *= 2) {
       context_.checkpoint("intersecting curves");
@@ -117,6 +124,19 @@ class MapPair {
     }
     if (result_.coincident) find_overlap();
     return std::move(result_);
+  }
+
+  /// The squarefree polynomial of all finite t (axis 0) or u (axis 1) of the solutions.
+  const UnivariatePolynomial& eliminant(std::size_t axis) {
+    std::optional<UnivariatePolynomial>& known = eliminants_[axis];
+    if (!known) {
+      const UnivariatePolynomial all = common_resultant(axis);
+      UnivariatePolynomial product({Integer(1)});
+      for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(all))
+        product = product * part.factor;
+      known = product;
+    }
+    return *known;
   }
 
  private:
@@ -201,65 +221,19 @@ class MapPair {
 
   /// Keeps the zeros of all three equations, of which two combinations have been solved, and counts them.
   void keep_zeros(const std::vector<Equation>& chart, const PlaneCurvesProblem& problem, Result& result) {
-    const Polynomial& third = chart[2].polynomial;
-    std::vector<Solution> kept;
-    std::optional<std::vector<UnivariatePolynomial>> vanishing;
-    std::optional<symbolic::UnivariateRepresentation> representation;
+    KeptSolutions kept = solutions_of_third(problem, chart[2].polynomial, result.solutions, options_.seed, context_);
+    if (!kept.decided) undecided_ = true;
+    result.solutions = std::move(kept.solutions);
+    result.counts = {};
     for (Solution& s : result.solutions) {
       const long precision_bits =
           std::min(acb_rel_accuracy_bits(s.x.ball.get()), acb_rel_accuracy_bits(s.y.ball.get()));
-      const long working_bits = 2 * std::clamp(precision_bits, 64L, 1L << 20) + 64;
-      if (acb_contains_zero(evaluate(third, s.x.ball, s.y.ball, working_bits).get()) == 0) continue;
-      for (long shear = 0; !representation; shear = shear > 0 ? -shear : 1 - shear)
-        if (symbolic::is_admissible_shear(problem.p, problem.q, shear)) {
-          representation = symbolic::univariate_representation(problem.p.primitive_part(), problem.q.primitive_part(),
-                                                               shear, options_.seed, context_);
-          if (representation) vanishing = symbolic::vanishing_factors(*representation, third);
-        }
-      // The solution belongs to the class of its multiplicity; there one of two coprime factors vanishes.
-      ComplexBall t;
-      acb_mul_si(t.get(), s.y.ball.get(), representation->shear, working_bits);
-      acb_add(t.get(), t.get(), s.x.ball.get(), working_bits);
-      for (std::size_t k = 0; k < representation->classes.size(); ++k) {
-        const symbolic::SquarefreeFactor& part = representation->classes[k];
-        if (part.multiplicity != s.multiplicity) continue;
-        const UnivariatePolynomial& common = (*vanishing)[k];
-        if (common.degree() < 1) continue;
-        UnivariatePolynomial rest;
-        fmpz_poly_div(rest.get(), part.factor.get(), common.get());
-        if (acb_contains_zero(evaluate(common, t, working_bits).get()) == 0) continue;
-        if (acb_contains_zero(evaluate(rest, t, working_bits).get()) != 0) undecided_ = true;
-        if (is_transversal(chart, s, working_bits)) s.multiplicity = 1;
-        kept.push_back(s);
-      }
-    }
-    result.solutions = std::move(kept);
-    result.counts = {};
-    for (const Solution& s : result.solutions) {
+      if (is_transversal(chart, s, 2 * std::clamp(precision_bits, 64L, 1L << 20) + 64)) s.multiplicity = 1;
       ++result.counts.distinct;
       result.counts.with_multiplicity += s.multiplicity;
       if (s.reality == Reality::real) ++result.counts.real;
       if (s.reality == Reality::undecided) ++result.counts.undecided;
     }
-  }
-
-  /// The value of a polynomial in two variables.
-  static ComplexBall evaluate(const Polynomial& p, const ComplexBall& x, const ComplexBall& y, long precision_bits) {
-    ComplexBall sum;
-    ComplexBall product;
-    ComplexBall power;
-    for (const Polynomial::Term& term : p.terms()) {
-      acb_pow_ui(product.get(), x.get(), term.exponents[0], precision_bits);
-      acb_pow_ui(power.get(), y.get(), term.exponents[1], precision_bits);
-      acb_mul(product.get(), product.get(), power.get(), precision_bits);
-      arb_set_fmpq(power.real(), term.coefficient.get(), precision_bits);
-      arb_zero(power.imaginary());
-      acb_addmul(sum.get(), product.get(), power.get(), precision_bits);
-    }
-    return sum;
-  }
-  static ComplexBall evaluate(const UnivariatePolynomial& p, const ComplexBall& at, long precision_bits) {
-    return intersect::evaluate(p, at, precision_bits);
   }
 
   /// Whether the derivatives of the equations have rank two there.
@@ -278,14 +252,14 @@ class MapPair {
   }
 
   void add_pair(const Solution& s, std::optional<ComplexBall> t, std::optional<ComplexBall> u) {
-    pairs_.push_back({std::move(t), std::move(u), s.multiplicity, s.reality, s.certified, s.reason});
+    pairs_.push_back({std::move(t), std::move(u), {}, {}, s.multiplicity, s.reality, s.certified, s.reason});
   }
 
   /// Fills the solutions; false when some of them needs more digits.
   bool present() {
     result_.solutions.clear();
     if (std::exchange(undecided_, false)) return false;
-    for (const Pair& pair : pairs_) {
+    for (Pair& pair : pairs_) {
       const Answer inside = is_inside(pair);
       if (inside == Answer::unknown) return false;
       if (inside == Answer::no && real_only()) continue;
@@ -305,6 +279,8 @@ class MapPair {
       };
       solution.t = print(pair.t);
       solution.u = print(pair.u);
+      if (*solution.t) (*solution.t)->exact = pair.t_end;
+      if (*solution.u) (*solution.u)->exact = pair.u_end;
       enough = enough && print_common_point(pair, solution);
       if (!enough) return false;
       result_.solutions.push_back(std::move(solution));
@@ -347,19 +323,6 @@ class MapPair {
     return Answer::unknown;
   }
 
-  /// The squarefree polynomial of all finite t (axis 0) or u (axis 1) of the solutions.
-  const UnivariatePolynomial& eliminant(std::size_t axis) {
-    std::optional<UnivariatePolynomial>& known = eliminants_[axis];
-    if (!known) {
-      const UnivariatePolynomial all = common_resultant(axis);
-      UnivariatePolynomial product({Integer(1)});
-      for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(all))
-        product = product * part.factor;
-      known = product;
-    }
-    return *known;
-  }
-
   /// A polynomial that is not zero and vanishes at the t (axis 0) or u of every finite solution.
   UnivariatePolynomial common_resultant(std::size_t axis) const {
     UnivariatePolynomial common;
@@ -375,19 +338,22 @@ class MapPair {
     return at_infinity.is_zero() ? common : common * at_infinity;
   }
 
-  Answer is_inside(const Pair& pair) {
+  Answer is_inside(Pair& pair) {
     if (pair.reality != Reality::real) return Answer::no;
-    const Answer first = is_within(pair.t, first_.domain, 0);
-    const Answer second = is_within(pair.u, second_.domain, 1);
+    const Answer first = is_within(pair.t, first_.domain, 0, pair.t_end);
+    const Answer second = is_within(pair.u, second_.domain, 1, pair.u_end);
     if (first == Answer::no || second == Answer::no) return Answer::no;
     return first == Answer::yes && second == Answer::yes ? Answer::yes : Answer::unknown;
   }
 
-  Answer is_within(const std::optional<ComplexBall>& value, const std::optional<Interval>& domain, std::size_t axis) {
+  /// Also fills in the end of the domain where the value is that.
+  Answer is_within(const std::optional<ComplexBall>& value, const std::optional<Interval>& domain, std::size_t axis,
+                   std::optional<Rational>& at_end) {
     if (!domain) return Answer::yes;
     if (!value) return Answer::no;
     for (const bool lower : {true, false}) {
       const Rational& end = lower ? domain->lower : domain->upper;
+      if (at_end && *at_end == end) continue;
       UnivariatePolynomial linear;
       fmpz_poly_set_coeff_fmpz(linear.get(), 1, fmpq_denref(end.get()));
       fmpz_poly_set_coeff_fmpz(linear.get(), 0, (-end.numerator()).get());
@@ -397,7 +363,9 @@ class MapPair {
         if (!lower) return Answer::no;
       } else if (arb_is_negative(difference.real()) != 0) {
         if (lower) return Answer::no;
-      } else if (vanishes(linear, *value, axis) != Answer::yes) {
+      } else if (vanishes(linear, *value, axis) == Answer::yes) {
+        at_end = end;
+      } else {
         return Answer::unknown;
       }
     }
@@ -493,6 +461,7 @@ void MapPair::add_overlap(const Moebius& map) {
   if (!first_.domain || !second_.domain) {
     Overlap overlap;
     overlap.certified = true;
+    overlap.reversed = !map.increasing();
     if (first_.domain) overlap.u = image(map, *first_.domain);
     if (first_.domain) overlap.t = exactly(*first_.domain);
     if (second_.domain) overlap.t = image(map.inverse(), *second_.domain);
@@ -537,14 +506,16 @@ void MapPair::add_arc(const Moebius& map, const Rational& lower, const Rational&
   if (!map.increasing()) std::swap(u_lower, u_upper);
   Overlap overlap;
   overlap.certified = true;
+  overlap.reversed = !map.increasing();
   overlap.t = ParameterInterval{printed(lower, options_.digits), printed(upper, options_.digits)};
   overlap.u = ParameterInterval{printed(u_lower, options_.digits), printed(u_upper, options_.digits)};
   result_.overlap.push_back(overlap);
 }
 
-}  // namespace
-
-namespace {
+void require_curves(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second) {
+  for (const symbolic::CurvePiece* piece : {&first, &second})
+    if (piece->map.degree() < 1) throw InvalidInput("a curve is a single point", "a map that is not constant");
+}
 
 /// The box engine answers for real solutions within bounded domains.
 std::optional<MapPairResult> within_boxes(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
@@ -568,10 +539,20 @@ std::optional<MapPairResult> within_boxes(const symbolic::CurvePiece& first, con
 
 MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
                                  const Options& options, const Context& context) {
-  for (const symbolic::CurvePiece* piece : {&first, &second})
-    if (piece->map.degree() < 1) throw InvalidInput("a curve is a single point", "a map that is not constant");
+  require_curves(first, second);
   if (std::optional<MapPairResult> result = within_boxes(first, second, options, context)) return *std::move(result);
-  return MapPair(first, second, options, context).run();
+  return MapPair(first, second, false, options, context).run();
+}
+
+MapPairResult intersect_map_with_itself(const symbolic::CurvePiece& piece, const Options& options,
+                                        const Context& context) {
+  require_curves(piece, piece);
+  return MapPair(piece, piece, true, options, context).run();
+}
+
+UnivariatePolynomial common_parameters(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
+                                       std::size_t axis, const Options& options, const Context& context) {
+  return MapPair(first, second, &first == &second, options, context).eliminant(axis);
 }
 
 }  // namespace eliminant::intersect

@@ -21,6 +21,8 @@ struct MapPairResult {
   std::vector<CurveSolution> touches;
   /// The curves coincide, whether or not within their domains.
   bool coincident = false;
+  /// The degree in t of the correspondence of parameters of coinciding curves.
+  long component_degree = 0;
   EngineReport engine;
   std::vector<std::string> warnings;
 };
@@ -37,5 +39,19 @@ struct MapPairResult {
 /// Throws InvalidInput when one of the maps is constant.
 MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
                                  const Options& options, const Context& context);
+
+/// All ordered pairs of parameters (t, u) with the same point of one curve, where t = u is divided out of the
+/// equations: with (t, u) also (u, t), and t = u where the derivative of the map vanishes. In the plane the equations
+/// have bidegrees (mu - 1, d - 1) and (d - mu - 1, d - 1), and (d - 1) (d - 2) common zeros; the multiplicity of a pair
+/// t != u is the intersection multiplicity of its branches, of t = u twice the delta invariant of the branch. A map
+/// that takes general points k times has a common component, of bidegree (k - 1, k - 1). `domain` and options as above.
+/// Throws InvalidInput when the map is constant.
+MapPairResult intersect_map_with_itself(const symbolic::CurvePiece& piece, const Options& options,
+                                        const Context& context);
+
+/// The squarefree polynomial of all finite t (axis 0) or u (axis 1) of the isolated pairs of two pieces, or, when both
+/// are one object, of that piece with itself.
+symbolic::UnivariatePolynomial common_parameters(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
+                                                 std::size_t axis, const Options& options, const Context& context);
 
 }  // namespace eliminant::intersect

@@ -21,6 +21,7 @@ std::string header(const CurveShape& shape, bool two_curves) {
   line += "radius,real,multiplicity,inside,certified,";
   if (shape.surface)
     for (const char* name : surface_names) line += columns(name);
+  if (shape.itself) line += "kind,";
   line.back() = '\n';
   return line;
 }
@@ -41,7 +42,7 @@ const char* word(bool value) { return value ? "true" : "false"; }
 
 std::string curve_result_csv(const intersect::CurveResult& result) {
   const CurveShape shape = shape_of(result);
-  const bool two_curves = result.problem == "curve_curve";
+  const bool two_curves = result.problem != "curve_surface";
   std::string out = header(shape, two_curves);
   for (const intersect::CurveSolution& solution : result.solutions) {
     std::string line = parameter_cells(solution.t);
@@ -54,6 +55,7 @@ std::string curve_result_csv(const intersect::CurveResult& result) {
         const bool there = !solution.surface_parameters.empty() && i < solution.surface_parameters.front().size();
         line += there ? parameter_cells(solution.surface_parameters.front()[i]) : ",,";
       }
+    if (shape.itself) line += std::string(solution.kind ? word_for(*solution.kind) : "") + ",";
     line.back() = '\n';
     out += line;
   }

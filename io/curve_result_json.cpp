@@ -44,6 +44,7 @@ Json solution_json(const intersect::CurveSolution& solution, const CurveShape& s
   out["point"] = Json::array();
   for (const intersect::Coordinate& coordinate : solution.point) out["point"].push_back(coordinate_json(coordinate));
   if (shape.surface) out["surface_parameters"] = preimages_json(solution.surface_parameters);
+  if (shape.itself) out["kind"] = solution.kind ? Json(word_for(*solution.kind)) : Json();
   out["multiplicity"] = solution.multiplicity;
   if (solution.eigenvalue_multiplicity) out["eigenvalue_multiplicity"] = *solution.eigenvalue_multiplicity;
   out["inside"] = solution.inside;
@@ -69,6 +70,17 @@ Json overlap_json(const intersect::Overlap& overlap, const CurveShape& shape) {
   return out;
 }
 
+Json singular_point_json(const intersect::SingularPoint& point) {
+  Json out;
+  out["point"] = Json::array();
+  for (const intersect::Coordinate& coordinate : point.point) out["point"].push_back(coordinate_json(coordinate));
+  out["parameters"] = Json::array();
+  for (const intersect::Parameter& parameter : point.parameters) out["parameters"].push_back(parameter_json(parameter));
+  out["multiplicity"] = point.multiplicity;
+  out["real"] = reality_json(point.reality);
+  return out;
+}
+
 }  // namespace
 
 std::string curve_result_json(const intersect::CurveResult& result, const std::optional<ProblemId>& id) {
@@ -78,6 +90,13 @@ std::string curve_result_json(const intersect::CurveResult& result, const std::o
   out["solutions"] = Json::array();
   for (const intersect::CurveSolution& solution : result.solutions)
     out["solutions"].push_back(solution_json(solution, shape));
+  if (shape.itself && shape.t) {
+    out["singular_points"] = Json::array();
+    for (const intersect::SingularPoint& point : result.singular_points)
+      out["singular_points"].push_back(singular_point_json(point));
+    out["closed"] = result.closed;
+    out["covering"] = result.covering;
+  }
   if (result.status == intersect::Status::infinite || !result.overlap.empty()) {
     out["overlap"] = Json::array();
     for (const intersect::Overlap& overlap : result.overlap) out["overlap"].push_back(overlap_json(overlap, shape));

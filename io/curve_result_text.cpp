@@ -14,6 +14,7 @@ namespace {
 
 using intersect::CurveResult;
 using intersect::CurveSolution;
+using intersect::PairKind;
 using intersect::Parameter;
 using intersect::Reality;
 using intersect::Status;
@@ -33,7 +34,14 @@ std::string interval_text(const std::string& name, const std::optional<intersect
 }
 
 std::string overlap_sentences(const CurveResult& result, const CurveShape& shape) {
-  const std::string subject = shape.surface ? "The curve lies in the surface" : "The curves coincide";
+  std::string subject = shape.surface ? "The curve lies in the surface" : "The curves coincide";
+  if (shape.itself) {
+    if (!shape.t)
+      return result.overlap.empty() ? "" : "\nA factor of the equation is repeated: all its points are singular.\n";
+    subject = result.covering > 1 ? "The map takes a general point of the curve " + std::to_string(result.covering) +
+                                        " times, and a part of it is traced again"
+                                  : "A part of the curve is traced again";
+  }
   if (result.overlap.empty())
     return result.status == Status::infinite ? "\n" + subject + ", but nowhere inside the domains.\n" : "";
   std::string text = "\n" + subject + " where\n";
@@ -57,12 +65,15 @@ std::string count_audit(const CurveResult& result, const CurveShape& shape) {
   const bool all_listed = counts.listed == counts.distinct;
   // Bezout's theorem says nothing about two curves in space, nor about the rest beside an overlap.
   const bool in_space = !shape.surface && shape.names.size() == 4;
-  const bool bezout =
-      result.status != Status::infinite && (!in_space || counts.expected > 0) && !counts.within_domains_only;
+  const bool by_equation = shape.itself && !shape.t;
+  const bool bezout = result.status != Status::infinite && (!in_space || counts.expected > 0) && !by_equation &&
+                      !counts.within_domains_only;
   const std::string found = "found (" + counted(counts.distinct, "solution") + ")";
   std::vector<std::vector<std::string>> rows;
   if (bezout) {
-    rows.push_back({std::to_string(counts.expected), "expected, the product of the degrees"});
+    const char* const number = shape.itself ? "expected by the degrees, (d - 1)(d - 2)/2 for a plane map"
+                                            : "expected, the product of the degrees";
+    rows.push_back({std::to_string(counts.expected), number});
     rows.push_back({"= " + std::to_string(counts.with_multiplicity), found});
   }
   if (all_listed && counts.with_multiplicity > 0)
@@ -92,11 +103,15 @@ std::string preimage_text(const std::vector<Parameter>& preimage) {
 
 // A value of a solution by the name that the formats give it, empty where there is none.
 std::string value_text(const CurveSolution& solution, const CurveShape& shape, const std::string& name) {
-  if (name == "t") return solution.t ? parameter_text(*solution.t, solution.reality) : "";
-  if (name == "u") return solution.u ? parameter_text(*solution.u, solution.reality) : "";
+  // A real point may have conjugate parameters.
+  const Reality reality = solution.kind == PairKind::isolated ? Reality::non_real : solution.reality;
+  if (name == "t") return solution.t ? parameter_text(*solution.t, reality) : "";
+  if (name == "u") return solution.u ? parameter_text(*solution.u, reality) : "";
   const auto position = std::find(shape.names.begin(), shape.names.end(), name) - shape.names.begin();
   return coordinate_text(solution.point.at(static_cast<std::size_t>(position)), solution.reality);
 }
+
+std::string kind_word(const CurveSolution& solution) { return solution.kind ? word_for(*solution.kind) : "singular"; }
 
 // The names of what is written of every solution; w only where it is not 1 everywhere.
 std::vector<std::string> value_names(const CurveResult& result, const CurveShape& shape) {
@@ -118,6 +133,7 @@ std::string solution_blocks(const CurveResult& result, const CurveShape& shape) 
     text += "\n  #" + std::to_string(i + 1) + "  multiplicity " + std::to_string(solution.multiplicity);
     if (solution.eigenvalue_multiplicity)
       text += ", of the eigenvalue " + std::to_string(*solution.eigenvalue_multiplicity);
+    if (shape.itself) text += ", " + kind_word(solution);
     text += std::string(", real ") + reality_word(solution.reality) + ", inside " + (solution.inside ? "yes" : "no") +
             ", radius " + radius_text(solution.radius_exponent) +
             (solution.certified ? ", certified\n" : ", not certified\n");
@@ -157,6 +173,7 @@ std::string solution_table(const CurveResult& result, const CurveShape& shape) {
         text += (text.empty() ? "" : ", ") + preimage_text(preimage);
       return text;
     });
+  if (shape.itself) add("kind", false, kind_word);
   add("multiplicity", true, [](const auto& solution) { return std::to_string(solution.multiplicity); });
   if (std::any_of(solutions.begin(), solutions.end(), [](const auto& s) { return s.eigenvalue_multiplicity; }))
     add("of eigenvalue", true, [](const CurveSolution& solution) {
@@ -176,11 +193,27 @@ std::string reasons(const CurveResult& result) {
   return not_certified_lines(of_each);
 }
 
+// What the list of pairs does not show: which of them have one point.
+std::string points_of_itself(const CurveResult& result) {
+  std::string text;
+  for (const intersect::SingularPoint& point : result.singular_points) {
+    if (point.parameters.size() < 3) continue;
+    std::string parameters;
+    for (const Parameter& parameter : point.parameters)
+      parameters += (parameters.empty() ? "" : ", ") + parameter_text(parameter, Reality::undecided);
+    text += "One point has the parameters " + parameters + "; its pairs have multiplicity " +
+            std::to_string(point.multiplicity) + " in all.\n";
+  }
+  if (result.closed) text += "The curve is closed: that it ends where it begins is no self-intersection.\n";
+  return text.empty() ? text : "\n" + text;
+}
+
 std::string emptiness_sentence(const CurveResult& result, const CurveShape& shape) {
   if (result.status == Status::incomplete) return "\nNo solutions are listed.\n";
   if (result.counts.distinct > 0)
     return "\nNone of the " + counted(result.counts.distinct, "solution") + " is in the part that was asked for.\n";
   if (result.status == Status::infinite) return "\nThere are no other solutions.\n";
+  if (shape.itself) return shape.t ? "\nThe curve does not meet itself.\n" : "\nThe curve has no singular point.\n";
   return shape.surface ? "\nThe curve does not meet the surface.\n" : "\nThe curves have no common point.\n";
 }
 
@@ -188,7 +221,9 @@ std::string emptiness_sentence(const CurveResult& result, const CurveShape& shap
 
 std::string curve_result_text(const CurveResult& result, const RunOptions& given, bool with_seconds) {
   const CurveShape shape = shape_of(result);
-  const std::string infinite = shape.surface ? "the curve lies in the surface" : "the curves coincide";
+  const std::string infinite = shape.itself    ? "infinitely many points of the curve are double"
+                               : shape.surface ? "the curve lies in the surface"
+                                               : "the curves coincide";
   std::string text =
       status_lines(result.status, result.rest_status, result.limit, infinite) + overlap_sentences(result, shape);
   if (result.limit)
@@ -197,8 +232,8 @@ std::string curve_result_text(const CurveResult& result, const RunOptions& given
     text += count_audit(result, shape);
   text += given_and_used(result.engine, given);
   if (with_seconds) text += seconds_line(result.seconds);
-  if (result.solutions.empty()) return text + emptiness_sentence(result, shape);
-  return text + solution_table(result, shape) + reasons(result);
+  if (result.solutions.empty()) return text + emptiness_sentence(result, shape) + points_of_itself(result);
+  return text + solution_table(result, shape) + reasons(result) + points_of_itself(result);
 }
 
 }  // namespace eliminant::io

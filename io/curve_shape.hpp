@@ -11,7 +11,8 @@ namespace eliminant::io {
 /// Which values every solution of a result has, the same in all formats and also where the list is empty.
 struct CurveShape {
   bool t = true;                   ///< a parameter on the (first) curve
-  bool u = false;                  ///< a parameter on the second curve
+  bool u = false;                  ///< a parameter on the second curve, or the other one of a curve with itself
+  bool itself = false;             ///< a curve with itself: solutions have a kind
   bool surface = false;            ///< parameters on the surface
   std::vector<std::string> names;  ///< of the homogeneous coordinates of points: x, y, z, w, or in the plane x, y, w
 };

@@ -93,6 +93,8 @@ void echo(Json& out, const intersect::CurveCurveProblem& problem) {
   out["second"] = geometry_json(problem.second);
 }
 
+void echo(Json& out, const intersect::SelfIntersectionProblem& problem) { out["curve"] = geometry_json(problem.curve); }
+
 void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
   if (const auto* curve = std::get_if<symbolic::ParametricCurve>(&problem.geometry))
     out["curve"] = pieces_json(*curve);
@@ -103,7 +105,7 @@ void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
 }  // namespace
 
 std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  constexpr std::array kinds{"plane_curves", "curve_surface", "curve_curve", "implicitize"};
+  constexpr std::array kinds{"plane_curves", "curve_surface", "curve_curve", "self_intersection", "implicitize"};
   Json out;
   out["problem"] = kinds[file.problem.index()];
   if (file.id) std::visit([&](const auto& id) { out["id"] = id; }, *file.id);

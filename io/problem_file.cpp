@@ -29,19 +29,20 @@ struct ProblemFields {
   std::vector<const char*> fields;
 };
 
-const std::array<ProblemFields, 4>& problem_fields() {
-  static const std::array<ProblemFields, 4> kinds{{
+const std::array<ProblemFields, 5>& problem_fields() {
+  static const std::array<ProblemFields, 5> kinds{{
       {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
       {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
       {"curve_curve", {"problem", "first", "second", "id", "options"}},
+      {"self_intersection", {"problem", "curve", "surface", "id", "options"}},
       {"implicitize", {"problem", "curve", "surface", "id", "options"}},
   }};
   return kinds;
 }
 
-constexpr const char* known_kinds = "\"plane_curves\", \"curve_surface\", \"curve_curve\" or \"implicitize\"";
-constexpr std::array later_problems{"surface_surface", "self_intersection", "curve_topology", "cylinders",
-                                    "cylinder_extraction"};
+constexpr const char* known_kinds =
+    "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"self_intersection\" or \"implicitize\"";
+constexpr std::array later_problems{"surface_surface", "curve_topology", "cylinders", "cylinder_extraction"};
 
 template <class Names>
 bool contains(const Names& names, std::string_view name) {
@@ -112,6 +113,13 @@ class Reader {
     const JsonValue& second = geometry("second", "a curve");
     auto curves = read_curve_pair(fields_, first, second);
     return {std::move(curves[0]), std::move(curves[1])};
+  }
+
+  intersect::SelfIntersectionProblem self_intersection() const {
+    const char* const expected = "\"curve\": a curve";
+    if (const JsonValue* surface = document_.root().find("surface"))
+      refuse(*surface, "the self-intersection of a surface is not supported by this version", expected);
+    return {read_curve(fields_, geometry("curve", "a curve"), "\"curve\"")};
   }
 
   intersect::ImplicitizeProblem implicitize() const {
@@ -237,6 +245,8 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
     result.problem = reader.curve_surface();
   else if (kind == "curve_curve")
     result.problem = reader.curve_curve();
+  else if (kind == "self_intersection")
+    result.problem = reader.self_intersection();
   else
     result.problem = reader.implicitize();
   return result;

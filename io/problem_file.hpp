@@ -17,9 +17,11 @@ namespace eliminant::io {
 /// What the author of a problem calls it; repeated in the result.
 using ProblemId = std::variant<std::string, long>;
 
-/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "implicitize".
-using Problem = std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem,
-                             intersect::CurveCurveProblem, intersect::ImplicitizeProblem>;
+/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "self_intersection",
+/// "implicitize".
+using Problem =
+    std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem,
+                 intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem>;
 
 /// A problem and what its author chose for it.
 struct ProblemFile {

@@ -29,6 +29,20 @@ const char* word_for(intersect::Reality reality) {
   return "undecided";
 }
 
+const char* word_for(intersect::PairKind kind) {
+  switch (kind) {
+    case intersect::PairKind::crossing:
+      return "crossing";
+    case intersect::PairKind::isolated:
+      return "isolated";
+    case intersect::PairKind::cusp:
+      return "cusp";
+    case intersect::PairKind::complex:
+      return "complex";
+  }
+  return "complex";
+}
+
 std::string radius_text(long exponent) { return "1e" + std::to_string(exponent); }
 
 }  // namespace eliminant::io

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <eliminant/intersect/curve_result.hpp>
 #include <eliminant/intersect/result.hpp>
 
 namespace eliminant::io {
@@ -12,6 +13,9 @@ const char* word_for(intersect::Status status);
 
 /// `true`, `false`, `undecided`.
 const char* word_for(intersect::Reality reality);
+
+/// `crossing`, `isolated`, `cusp`, `complex`.
+const char* word_for(intersect::PairKind kind);
 
 /// The power of ten with this exponent, `1e-15`.
 std::string radius_text(long exponent);
