@@ -148,7 +148,7 @@ class CurveCurve {
       solution.reason = s.reason;
       result_.solutions.push_back(std::move(solution));
     }
-    if (plane.status == Status::infinite) result_.overlap.push_back({{}, {}, false, true});
+    if (plane.status == Status::infinite) result_.overlap.push_back({{}, {}, true});
   }
 
   const Options& options_;

@@ -62,9 +62,9 @@ struct Overlap {
   std::optional<ParameterInterval> t;
   /// With two curves: on the second one.
   std::optional<ParameterInterval> u;
-  /// u decreases as t increases.
-  bool reversed = false;
   bool certified = false;
+  /// With two curves: u decreases as t increases.
+  bool reversed = false;
 };
 
 /// A point of a curve with all parameters that are listed of it.

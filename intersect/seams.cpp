@@ -34,7 +34,8 @@ bool is_exactly(const Parameter& a, const Parameter& b) {
 
 }  // namespace
 
-Seams::Seams(const ParametricCurve& curve) : curve_(curve), closed_(ends_where_it_begins(curve)) {}
+Seams::Seams(const ParametricCurve& curve, bool of_one_piece)
+    : curve_(curve), closed_((of_one_piece || curve.pieces.size() > 1) && ends_where_it_begins(curve)) {}
 
 bool Seams::is_left_to_another(std::size_t piece, const std::optional<Parameter>& parameter) const {
   const std::optional<symbolic::Interval>& domain = curve_.pieces[piece].domain;

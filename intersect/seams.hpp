@@ -14,10 +14,11 @@ namespace eliminant::intersect {
 /// curves comes first.
 class Seams {
  public:
-  /// `curve` must outlive the object.
-  explicit Seams(const symbolic::ParametricCurve& curve);
+  /// `curve` must outlive the object. The ends of a curve of several pieces that meet are a seam, too. A single map
+  /// whose domain ends where it begins has two parameters there, unless `of_one_piece` makes it closed likewise.
+  explicit Seams(const symbolic::ParametricCurve& curve, bool of_one_piece = false);
 
-  /// The curve has a domain, and ends where it begins.
+  /// The curve has a domain, ends where it begins, and this is a seam.
   bool closed() const { return closed_; }
   /// Whether a solution of a piece at this parameter is left to another piece: on a seam to the one that ends there,
   /// and at the ends of a closed curve to the one that begins it.

@@ -35,7 +35,7 @@ struct Found {
 class SelfIntersection {
  public:
   SelfIntersection(const ParametricCurve& curve, const Options& options, const Context& context)
-      : curve_(curve), seams_(curve), options_(options), context_(context) {
+      : curve_(curve), seams_(curve, true), options_(options), context_(context) {
     result_.problem = "self_intersection";
     result_.status = Status::certified;
     result_.in_plane = curve.pieces.front().map.dimension() == 2;
