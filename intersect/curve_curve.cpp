@@ -7,6 +7,7 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/map_pair.hpp>
+#include <eliminant/intersect/piece_boxes.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/seams.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
@@ -70,8 +71,13 @@ class CurveCurve {
     result_.in_plane = dimension == 2;
     const Seams t_seams(first);
     const Seams u_seams(second);
+    // The audit of a single pair is worth its time.
+    const bool several = first.pieces.size() * second.pieces.size() > 1;
+    const auto t_boxes = boxes_of_pieces(first);
+    const auto u_boxes = boxes_of_pieces(second);
     for (std::size_t i = 0; i < first.pieces.size(); ++i)
       for (std::size_t j = 0; j < second.pieces.size(); ++j) {
+        if (several && excluded_by_boxes(t_boxes[i], u_boxes[j], options_, result_)) continue;
         MapPairResult part = intersect_map_pair(first.pieces[i], second.pieces[j], options_, context_);
         add_part(part.status, part.counts, part.engine, part.warnings, result_);
         std::erase_if(part.touches, [&](const CurveSolution& touch) { return is_among(touch, part.solutions); });

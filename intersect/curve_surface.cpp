@@ -15,6 +15,7 @@
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/merge_pieces.hpp>
+#include <eliminant/intersect/piece_boxes.hpp>
 #include <eliminant/intersect/prepared_surface.hpp>
 #include <eliminant/intersect/presentation.hpp>
 #include <eliminant/intersect/seams.hpp>
@@ -52,7 +53,11 @@ class PiecePair {
         borders_(surface.piece.map, curve.map, options.seed, context) {}
 
   void run() {
-    if (!solve_by_boxes() && !solve_by_pencil()) solve_exactly();
+    if (solve_by_boxes()) return;
+    if (options_.engine != Engine::pencil && options_.engine != Engine::exact &&
+        excluded_by_boxes(symbolic::bounding_box(curve_), symbolic::bounding_box(surface_.piece), options_, result_))
+      return;
+    if (!solve_by_pencil()) solve_exactly();
   }
 
  private:

@@ -13,6 +13,7 @@
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
 #include <eliminant/intersect/double_points.hpp>
+#include <eliminant/intersect/piece_boxes.hpp>
 #include <eliminant/intersect/seams.hpp>
 #include <eliminant/intersect/singular_points.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
@@ -35,7 +36,7 @@ struct Found {
 class SelfIntersection {
  public:
   SelfIntersection(const ParametricCurve& curve, const Options& options, const Context& context)
-      : curve_(curve), seams_(curve, true), options_(options), context_(context) {
+      : curve_(curve), seams_(curve, true), boxes_(boxes_of_pieces(curve)), options_(options), context_(context) {
     result_.problem = "self_intersection";
     result_.status = Status::certified;
     result_.in_plane = curve.pieces.front().map.dimension() == 2;
@@ -74,6 +75,7 @@ class SelfIntersection {
   }
 
   void add_pieces(std::size_t i, std::size_t j) {
+    if (excluded_by_boxes(boxes_[i], boxes_[j], options_, result_)) return;
     MapPairResult part = intersect_map_pair(curve_.pieces[i], curve_.pieces[j], options_, context_);
     add_part(part.status, part.counts, part.engine, part.warnings, result_);
     for (std::vector<CurveSolution>* solutions : {&part.solutions, &part.touches})
@@ -235,6 +237,7 @@ class SelfIntersection {
  private:
   const ParametricCurve& curve_;
   Seams seams_;
+  std::vector<std::optional<symbolic::BoundingBox>> boxes_;
   const Options& options_;
   const Context& context_;
   bool needs_more_digits_ = false;

@@ -374,6 +374,27 @@ TEST_CASE("The ends of a single map are two parameters, of a curve of pieces one
   CHECK(is_t(once.solutions[1], Rational(1) / Rational(2)));
 }
 
+TEST_CASE("Pieces with disjoint boxes are left out of the counts, and of them alone") {
+  ParametricCurve zigzag = map_of({"t", "t^2", "1"}, Interval{0, 1});
+  zigzag.pieces.push_back(map_of({"t", "2-t", "1"}, Interval{1, 2}).pieces[0]);
+  const ParametricCurve far = map_of({"t", "t+5", "1"}, Interval{0, 1});
+  const CurveResult apart = meet(zigzag, far);
+  CHECK(apart.status == Status::certified);
+  CHECK(apart.solutions.empty());
+  CHECK(apart.counts.within_domains_only);
+  CHECK(apart.counts.distinct == 0);
+  // All complex solutions, and the exact engine, look at every pair: two points of the parabola, one of the line.
+  const CurveResult complex = meet(zigzag, far, Field::complex);
+  CHECK_FALSE(complex.counts.within_domains_only);
+  CHECK(complex.counts.expected == 3);
+  CHECK(complex.solutions.size() == 3);
+  // A single pair keeps its audit.
+  CHECK(meet(map_of({"t", "t^2", "1"}, Interval{0, 1}), far).counts.expected == 2);
+  // Boxes that only touch say nothing.
+  const CurveResult touching = meet(zigzag, map_of({"t", "t-2", "1"}, Interval{2, 3}));
+  CHECK(touching.solutions.size() == 1);
+}
+
 TEST_CASE("Curves of pieces with common seams, corners and overlaps: exchanging them exchanges t and u") {
   // Corners on a small grid: seams on seams, seams inside pieces, overlaps that end anywhere, closed curves.
   Draw draw(4242);
