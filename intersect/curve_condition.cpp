@@ -17,13 +17,17 @@ using symbolic::CurvePiece;
 using symbolic::Rational;
 using symbolic::UnivariatePolynomial;
 
-/// The last report, with the methods of all.
+/// The last report of something that ran, with the methods of all.
 void add_engine(const EngineReport& part, EngineReport& whole) {
-  std::string methods = whole.method;
-  if (methods.empty() || methods == "none")
-    methods = part.method;
-  else if (methods.find(part.method) == std::string::npos)
-    methods += "+" + part.method;
+  if (part.method == "none" && !whole.method.empty()) return;
+  std::string methods = whole.method == "none" ? "" : whole.method;
+  for (std::size_t begin = 0; begin <= part.method.size();) {
+    const std::size_t end = std::min(part.method.find('+', begin), part.method.size());
+    const std::string method = part.method.substr(begin, end - begin);
+    if (("+" + methods + "+").find("+" + method + "+") == std::string::npos)
+      methods += (methods.empty() ? "" : "+") + method;
+    begin = end + 1;
+  }
   whole = part;
   whole.method = methods;
 }
