@@ -1,22 +1,33 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# compare.sh [OPTION...]
-# Installs what is missing, CGAL and PARI included, builds the comparison with them and prints its tables: milliseconds of
-# each solver on the same curves and the ratios, from one run with one thread. Options are those of the program:
+# compare.sh [plane_curves|bezier] [OPTION...]
+# Installs what is missing, the other solvers included, builds a comparison with them and prints its tables: times of
+# each solver on the same input and the ratios, from one run with one thread. plane_curves (the default) compares with
+# CGAL and PARI, bezier with OCCT and SISL. Options are those of the program:
 #   --markdown        tables for docs/benchmarks.md
-#   --limit SECONDS   wall-clock time that one run may take (60)
-#   --only TEXT       only the systems whose name contains TEXT
+#   --only TEXT       only the systems or families whose name contains TEXT
+#   --limit SECONDS   plane_curves: wall-clock time that one run may take (60)
+#   --all             bezier: every family that the tests generate
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/.."
 
-"$here/setup.sh" libcgal-dev libmpfi-dev libpari-dev
+program=compare_plane_curves
+case "${1:-}" in
+  plane_curves | bezier)
+    program=compare_$1
+    shift
+    ;;
+esac
+
+"$here/setup.sh" libcgal-dev libmpfi-dev libpari-dev libsisl-dev \
+  libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
 cache=build/release/CMakeCache.txt
 if ! grep -qs '^ELIMINANT_BUILD_COMPARISONS:BOOL=ON$' "$cache"; then
   cmake --preset release -DELIMINANT_BUILD_COMPARISONS=ON >&2
 fi
-"$here/build.sh" release compare_plane_curves
+"$here/build.sh" release "$program"
 
 # Threads of the LAPACK that is linked, whichever it is.
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NUM_THREADS=1
-exec build/release/bench/comparisons/compare_plane_curves "$@"
+exec "build/release/bench/comparisons/$program" "$@"

@@ -16,12 +16,12 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <eliminant/io/text_table.hpp>
 #include <eliminant/version.hpp>
 
 #include "measured_runs.hpp"
 #include "solvers.hpp"
 #include "systems.hpp"
+#include "tables.hpp"
 
 namespace {
 
@@ -49,13 +49,6 @@ const std::array<Solver, column_count> solvers{{
 }};
 
 using Measurements = std::array<MeasuredRuns, column_count>;
-using Table = std::vector<std::vector<std::string>>;
-
-std::string three_digits(double value) {
-  constexpr double many = 100;
-  return value >= many ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
-}
-
 /// A remark after the time where the answer lacks something the column promises.
 std::string time_cell(const MeasuredRuns& measured, double limit_seconds) {
   if (measured.ending == Ending::failed) return "failed";
@@ -74,20 +67,6 @@ std::string ratio_cell(const MeasuredRuns& theirs, const MeasuredRuns& ours, dou
   if (theirs.ending == Ending::out_of_time)
     return "> " + three_digits(limit_seconds * milliseconds_per_second / ours.milliseconds);
   return three_digits(theirs.milliseconds / ours.milliseconds);
-}
-
-void print_table(const Table& rows, bool markdown) {
-  if (!markdown) {
-    std::vector<bool> right(rows.front().size(), true);
-    right.front() = false;
-    fmt::print("{}\n", eliminant::io::text_table(rows, right));
-    return;
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    fmt::print("| {} |\n", fmt::join(rows[i], " | "));
-    if (i == 0) fmt::print("| {} |\n", fmt::join(std::vector<std::string>(rows[i].size(), "---"), " | "));
-  }
-  fmt::print("\n");
 }
 
 std::vector<std::string> solver_header(std::string first) {
