@@ -19,6 +19,8 @@ bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Contex
   const ComplexBall& second = (*b.t)->ball;
   // Without a polynomial a point is transversal and inside its patch.
   if (acb_overlaps(first.get(), second.get()) == 0 || !a.t_polynomial || !b.t_polynomial) return false;
+  // Nothing can be refined to the accuracy of two exact numbers.
+  if (acb_is_exact(first.get()) != 0 && acb_is_exact(second.get()) != 0) return true;
   const UnivariatePolynomial common = symbolic::gcd(*a.t_polynomial, *b.t_polynomial);
   if (common.degree() < 1) return false;
   const long bits = std::min(acb_rel_accuracy_bits(first.get()), acb_rel_accuracy_bits(second.get()));

@@ -2,7 +2,7 @@
 //
 // Lines against surfaces of revolution as NURBS and against the Utah teapot: the answers are those of the implicit
 // equations, or of the exact engine where the surface has none that is simple.
-//   ELIMINANT_ALL_FAMILIES   set: 1000 lines against each; else the first 30
+//   ELIMINANT_ALL_FAMILIES   set: 1000 lines against each; else the first ones
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -24,8 +24,8 @@ using symbolic::ParametricSurface;
 
 namespace {
 
-unsigned long line_count() {
-  return std::getenv("ELIMINANT_ALL_FAMILIES") != nullptr ? 1000 : 30;  // NOLINT(concurrency-mt-unsafe)
+unsigned long line_count(unsigned long by_default) {
+  return std::getenv("ELIMINANT_ALL_FAMILIES") != nullptr ? 1000 : by_default;  // NOLINT(concurrency-mt-unsafe)
 }
 
 using Point = std::array<Rational, 3>;
@@ -258,7 +258,8 @@ bool same_solutions(const CurveResult& a, const CurveResult& b) {
 void check_solid(Solid solid, const ParametricSurface& surface, std::uint64_t seed) {
   Draw draw(seed);
   Tally tally;
-  for (unsigned long index = 0; index < line_count(); ++index) {
+  const unsigned long lines = line_count(150);
+  for (unsigned long index = 0; index < lines; ++index) {
     const Segment segment = random_segment(draw, index, solid == Solid::torus ? 5 : 2);
     INFO(index, ": ", segment.text());
     const CurveResult result = solve(segment, surface);
@@ -266,16 +267,17 @@ void check_solid(Solid solid, const ParametricSurface& surface, std::uint64_t se
     CHECK(is_proven(result));
     check_against_equation(solid, segment, result, tally);
   }
-  MESSAGE(line_count(), " lines, ", tally.solutions, " solutions, ", tally.multiple, " of them multiple, ",
-          tally.contained, " lines in the surface");
-  CHECK(tally.solutions > line_count() / 3);
+  MESSAGE(lines, " lines, ", tally.solutions, " solutions, ", tally.multiple, " of them multiple, ", tally.contained,
+          " lines in the surface");
+  CHECK(tally.solutions > lines / 3);
 }
 
 /// The exact engine, which splits nothing by boxes, as the oracle.
 void check_rounded(const ParametricSurface& surface, long half_width, std::uint64_t seed) {
   Draw draw(seed);
   unsigned long solutions = 0;
-  for (unsigned long index = 0; index < line_count(); ++index) {
+  const unsigned long lines = line_count(30);
+  for (unsigned long index = 0; index < lines; ++index) {
     const Segment segment = random_segment(draw, index, half_width);
     INFO(index, ": ", segment.text());
     const CurveResult result = solve(segment, surface);
@@ -287,8 +289,8 @@ void check_rounded(const ParametricSurface& surface, long half_width, std::uint6
     CHECK(same_solutions(result, exact));
     solutions += result.solutions.size();
   }
-  MESSAGE(line_count(), " lines, ", solutions, " solutions");
-  CHECK(solutions > line_count() / 3);
+  MESSAGE(lines, " lines, ", solutions, " solutions");
+  CHECK(solutions > lines / 3);
 }
 
 // The teapot.
@@ -375,13 +377,24 @@ TEST_CASE("Lines against surfaces of revolution with rounded weights: the exact 
   SUBCASE("cylinder") { check_rounded(cylinder(rounded_weights), 2, 23); }
 }
 
+TEST_CASE("Lines against a NURBS sphere: an end on a seam, where all pieces know the parameter exactly") {
+  // (9 t - 5) (t - 1) = 0; four pieces of the sphere have the point of t = 1.
+  const Segment segment{{2, 1, -1}, {0, -1, 0}};
+  const CurveResult result = solve(segment, sphere(rational_weights));
+  CHECK(is_proven(result));
+  REQUIRE(result.solutions.size() == 2);
+  CHECK(is_t(result.solutions[0], Rational(5) / Rational(9)));
+  CHECK(is_t(result.solutions[1], Rational(1)));
+}
+
 TEST_CASE("Lines against the teapot: the exact engine") {
   const std::vector<Net> patches = teapot();
   REQUIRE(patches.size() == 32);
   Draw draw(31);
   unsigned long solutions = 0;
+  const unsigned long lines = line_count(30);
   unsigned long compared = 0;
-  for (unsigned long index = 0; index < line_count(); ++index) {
+  for (unsigned long index = 0; index < lines; ++index) {
     const Segment segment = teapot_segment(draw, index);
     for (std::size_t k = 0; k < patches.size(); ++k) {
       INFO("line ", index, ", patch ", k, ": ", segment.text());
@@ -402,7 +415,6 @@ TEST_CASE("Lines against the teapot: the exact engine") {
       CHECK(same_solutions(result, exact));
     }
   }
-  MESSAGE(line_count(), " lines, ", solutions, " solutions on 32 patches, ", compared,
-          " pairs that no plane separates");
-  CHECK(solutions > line_count());
+  MESSAGE(lines, " lines, ", solutions, " solutions on 32 patches, ", compared, " pairs that no plane separates");
+  CHECK(solutions > lines);
 }
