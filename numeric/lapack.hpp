@@ -38,8 +38,19 @@ void zgees_(const char* jobvs, const char* sort, int (*select)(const std::comple
 void ztrsen_(const char* job, const char* compq, const int* select, const int* n, std::complex<double>* t,
              const int* ldt, std::complex<double>* q, const int* ldq, std::complex<double>* w, int* m, double* s,
              double* sep, std::complex<double>* work, const int* lwork, int* info);
-/// LU factorisation with partial pivoting.
+/// LU factorisation with partial pivoting, and the solution of linear systems by it.
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* ipiv,
+             double* b, const int* ldb, int* info);
+/// QR factorisation, and products with its orthogonal factor.
+void dgeqrf_(const int* m, const int* n, double* a, const int* lda, double* tau, double* work, const int* lwork,
+             int* info);
+void dormqr_(const char* side, const char* trans, const int* m, const int* n, const int* k, const double* a,
+             const int* lda, const double* tau, double* c, const int* ldc, double* work, const int* lwork, int* info);
+/// C <- alpha A B + beta C (BLAS).
+void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
+            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
+            const int* ldc);
 }
 
 namespace eliminant::numeric {

@@ -1,0 +1,542 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/numeric/representation_pencil.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include <Eigen/QR>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/numeric/lapack.hpp>
+
+namespace eliminant::numeric {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+double conjugated(double x) { return x; }
+Complex conjugated(const Complex& x) { return std::conj(x); }
+double size_of(double x) { return std::abs(x); }
+/// Within a factor of the square root of two, and cheaper.
+double size_of(const Complex& x) { return std::max(std::abs(x.real()), std::abs(x.imag())); }
+
+bool finite(double x) { return std::isfinite(x); }
+bool finite(const Complex& x) { return std::isfinite(x.real()) && std::isfinite(x.imag()); }
+
+template <class Scalar>
+double norm_of(const std::array<Scalar, 4>& v) {
+  double sum = 0;
+  for (const Scalar& x : v) sum += std::norm(x);
+  return std::sqrt(sum);
+}
+
+/// A power of two above x, by a factor of at most 2; 1 where there is none.
+double power_of_two_near(double x) {
+  if (!(x > 0) || !std::isfinite(x)) return 1;
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return std::ldexp(1.0, std::clamp(exponent, -500, 500));
+}
+
+/// Fixed numbers that look random, in [-1, 1] (splitmix64).
+double fixed_random(std::uint64_t index) {
+  std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15ULL;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  z ^= z >> 31U;
+  return static_cast<double>(z >> 11U) * 0x1p-52 - 1.0;
+}
+
+template <class Scalar>
+bool invert(const std::array<std::array<Scalar, 3>, 3>& a, std::array<std::array<Scalar, 3>, 3>& inverse) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      inverse[j][i] = a[(i + 1) % 3][(j + 1) % 3] * a[(i + 2) % 3][(j + 2) % 3] -
+                      a[(i + 1) % 3][(j + 2) % 3] * a[(i + 2) % 3][(j + 1) % 3];
+  const Scalar determinant = a[0][0] * inverse[0][0] + a[0][1] * inverse[1][0] + a[0][2] * inverse[2][0];
+  if (!(size_of(determinant) > std::numeric_limits<double>::min())) return false;
+  const Scalar reciprocal = Scalar(1) / determinant;
+  for (auto& row : inverse)
+    for (Scalar& entry : row) entry *= reciprocal;
+  return finite(reciprocal);
+}
+
+}  // namespace
+
+/// (t_0, t_1) = (scale (c x_0 + s x_1), c x_1 - s x_0): the parameter x = x_0 / x_1 in which the pencil is solved.
+struct RepresentationPencil::Turn {
+  double scale = 1;
+  double cosine = 1;
+  double sine = 0;
+
+  template <class Scalar>
+  std::array<Scalar, 2> back(const std::array<Scalar, 2>& x) const {
+    return {scale * (cosine * x[0] + sine * x[1]), cosine * x[1] - sine * x[0]};
+  }
+
+  void apply(const CurveForms& curve, CurveForms& result) const {
+    const long degree = curve.degree();
+    result.coefficients.setZero(4, degree + 1);
+    std::array<double, largest_numeric_degree + 1> form{};
+    double factor = 1;
+    for (long i = 0; i <= degree; ++i, factor *= scale) {
+      // (c x_0 + s x_1)^i (c x_1 - s x_0)^(degree - i), in ascending powers of x_0.
+      form.fill(0);
+      form[0] = factor;
+      for (long k = 0; k < degree; ++k) {
+        const double low = k < i ? sine : cosine;
+        const double high = k < i ? cosine : -sine;
+        for (auto j = static_cast<std::size_t>(k) + 1; j > 0; --j) form[j] = form[j] * low + form[j - 1] * high;
+        form[0] *= low;
+      }
+      for (long j = 0; j <= degree; ++j)
+        result.coefficients.col(j) += form[static_cast<std::size_t>(j)] * curve.coefficients.col(i);
+    }
+  }
+};
+
+template <class Scalar>
+struct RepresentationPencil::Candidate {
+  ParameterChart<Scalar> chart;
+  std::array<Scalar, 2> t{};
+  std::size_t t_variable = 0;
+  double step = 0;
+  double distance = 1;
+  double moved = 0;
+  bool has_parameters = false;
+  NumericState state = NumericState::undetermined;
+};
+
+void RepresentationPencil::Frame::apply(CoordinateRows& rows) const {
+  for (long k = 0; k < 4; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (centre[at] != 0) rows.row(k) -= centre[at] * rows.row(3);
+  }
+  for (long k = 0; k < 4; ++k) rows.row(k) /= scale[static_cast<std::size_t>(k)];
+}
+
+/// The point in the middle of the parameters to the origin, where it is far away, and coordinates of equal size.
+RepresentationPencil::Frame RepresentationPencil::frame_of(const SurfaceForms& surface) {
+  Frame frame;
+  const Eigen::Vector4d middle = surface.coefficients.rowwise().sum();
+  CoordinateRows rows = surface.coefficients;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double centre = middle(static_cast<long>(k)) / middle(3);
+    if (!std::isfinite(centre)) continue;
+    // Few digits, so that the subtraction is exact wherever it cancels.
+    constexpr double digits = 0x1p10;
+    const double unit = power_of_two_near(std::abs(centre)) / digits;
+    frame.centre[k] = std::round(centre / unit) * unit;
+  }
+  frame.apply(rows);
+  for (std::size_t k = 0; k < 4; ++k)
+    frame.scale[k] = power_of_two_near(rows.row(static_cast<long>(k)).cwiseAbs().maxCoeff());
+  return frame;
+}
+
+RepresentationPencil::RepresentationPencil(const SurfaceForms& surface) : frame_(), surface_(surface) {
+  if (!all_finite(surface.coefficients)) throw InvalidInput("a coefficient of the surface is not finite", "numbers");
+  frame_ = frame_of(surface);
+  frame_.apply(surface_.coefficients);
+  prepare(moving_plane_blocks(surface_, moving_plane_degrees(surface_)));
+}
+
+RepresentationPencil::RepresentationPencil(const SurfaceForms& surface, const MovingPlaneBlocks& m)
+    : frame_(frame_of(surface)), surface_(surface) {
+  frame_.apply(surface_.coefficients);
+  // x_k = scale_k x'_k + centre_k scale_3 x'_3.
+  MovingPlaneBlocks framed = m;
+  for (std::size_t k = 0; k < 3; ++k) framed.blocks[3] += frame_.centre[k] * framed.blocks[k];
+  for (std::size_t k = 0; k < 4; ++k) framed.blocks[k] *= frame_.scale[k];
+  prepare(framed);
+}
+
+void RepresentationPencil::prepare(const MovingPlaneBlocks& m) {
+  rows_ = m.rows();
+  columns_ = m.columns();
+  row_degrees_ = m.row_degrees;
+  surface_norm_ = surface_.coefficients.norm();
+  if (columns_ < rows_) throw InvalidInput("the matrix has fewer columns than rows", "a matrix representation");
+  // An orthonormal basis of the moving planes.
+  Matrix<double> stacked(4 * rows_, columns_);
+  for (long k = 0; k < 4; ++k) stacked.middleRows(k * rows_, rows_) = m.blocks[static_cast<std::size_t>(k)];
+  for (long j = 0; j < columns_; ++j) stacked.col(j) /= power_of_two_near(stacked.col(j).cwiseAbs().maxCoeff());
+  if (!all_finite(stacked)) throw InvalidInput("an entry of the matrix is not finite", "a matrix representation");
+  const Eigen::HouseholderQR<Matrix<double>> qr(stacked);
+  const Matrix<double> basis = qr.householderQ() * Matrix<double>::Identity(4 * rows_, columns_);
+  for (long k = 0; k < 4; ++k) blocks_[static_cast<std::size_t>(k)] = basis.middleRows(k * rows_, rows_).transpose();
+  Matrix<double> combination = Matrix<double>::Identity(columns_, rows_);
+  if (columns_ > rows_) {
+    Matrix<double> random(columns_, rows_);
+    for (long i = 0; i < random.size(); ++i) random(i) = fixed_random(static_cast<std::uint64_t>(i));
+    combination = Eigen::HouseholderQR<Matrix<double>>(random).householderQ() * combination;
+  }
+  square_.resize(rows_ * rows_, 4);
+  for (long k = 0; k < 4; ++k) {
+    const Matrix<double> square = combination.transpose() * blocks_[static_cast<std::size_t>(k)];
+    square_.col(k) = Eigen::Map<const Vector<double>>(square.data(), square.size());
+  }
+  // Rows that are multiples of each parameter, by what is left of the monomial.
+  const bool triangular = surface_.triangular;
+  const auto at = [&](long i, long j) { return monomial_index(triangular, row_degrees_, i, j); };
+  if (triangular) {
+    multiples_.assign(1, std::vector<std::vector<long>>(3));
+    for (long i = 0; i < row_degrees_[0]; ++i)
+      for (long j = 0; i + j < row_degrees_[0]; ++j) {
+        multiples_[0][0].push_back(at(i + 1, j));
+        multiples_[0][1].push_back(at(i, j + 1));
+        multiples_[0][2].push_back(at(i, j));
+      }
+    return;
+  }
+  multiples_.assign(2, std::vector<std::vector<long>>(2));
+  for (long i = 0; i <= row_degrees_[0]; ++i)
+    for (long j = 0; j <= row_degrees_[1]; ++j) {
+      if (i < row_degrees_[0]) {
+        multiples_[0][0].push_back(at(i + 1, j));
+        multiples_[0][1].push_back(at(i, j));
+      }
+      if (j < row_degrees_[1]) {
+        multiples_[1][0].push_back(at(i, j + 1));
+        multiples_[1][1].push_back(at(i, j));
+      }
+    }
+}
+
+/// The matrix along the turned curve, its leading coefficient factored: smallest over largest pivot.
+double RepresentationPencil::factor_leading(const Turn& turn, const CurveForms& curve, Workspace& workspace) const {
+  turn.apply(curve, workspace.curve);
+  const long degree = curve.degree();
+  workspace.along.resize(rows_ * rows_, degree + 1);
+  const char no = 'N';
+  const int entries = static_cast<int>(rows_ * rows_);
+  const int count = static_cast<int>(degree + 1);
+  const int four = 4;
+  const double one = 1;
+  const double zero = 0;
+  dgemm_(&no, &no, &entries, &count, &four, &one, square_.data(), &entries, workspace.curve.coefficients.data(), &four,
+         &zero, workspace.along.data(), &entries);
+  const int n = static_cast<int>(rows_);
+  workspace.pivots.resize(static_cast<std::size_t>(rows_));
+  int info = 0;
+  double* leading = workspace.along.col(degree).data();
+  dgetrf_(&n, &n, leading, &n, workspace.pivots.data(), &info);
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (long i = 0; i < rows_; ++i) {
+    const double pivot = std::abs(leading[i * (rows_ + 1)]);
+    smallest = std::min(smallest, pivot);
+    largest = std::max(largest, pivot);
+  }
+  return largest > 0 ? smallest / largest : 0;
+}
+
+/// The companion matrix of the monic matrix polynomial, of vectors (v, x v, ..., x^(e-1) v).
+void RepresentationPencil::solve_companion(Workspace& workspace) const {
+  const long degree = workspace.along.cols() - 1;
+  const int n = static_cast<int>(rows_);
+  const int right_sides = static_cast<int>(rows_ * degree);
+  const char no = 'N';
+  int info = 0;
+  dgetrs_(&no, &n, &right_sides, workspace.along.col(degree).data(), &n, workspace.pivots.data(),
+          workspace.along.data(), &n, &info);
+  workspace.companion.setZero(rows_ * degree, rows_ * degree);
+  const Eigen::Map<const Matrix<double>> quotient(workspace.along.data(), rows_, rows_ * degree);
+  workspace.companion.bottomRows(rows_) = -quotient;
+  for (long k = 0; k + 1 < degree; ++k)
+    workspace.companion.block(k * rows_, (k + 1) * rows_, rows_, rows_).setIdentity();
+}
+
+/// Ratios of neighbouring entries, all of them weighed by their size.
+template <class Scalar>
+ParameterChart<Scalar> RepresentationPencil::read_parameters(const Scalar* vector) const {
+  ParameterChart<Scalar> chart;
+  std::size_t position = 0;
+  std::size_t varying = 0;
+  for (const std::vector<std::vector<long>>& group : multiples_) {
+    std::size_t largest = 0;
+    double largest_size = -1;
+    for (std::size_t p = 0; p < group.size(); ++p) {
+      double size = 0;
+      for (const long row : group[p]) size += std::norm(vector[row]);
+      if (!(size > largest_size)) continue;
+      largest_size = size;
+      largest = p;
+    }
+    for (std::size_t p = 0; p < group.size(); ++p) {
+      if (p == largest) {
+        chart.values[position + p] = Scalar(1);
+        continue;
+      }
+      Scalar product(0);
+      for (std::size_t i = 0; i < group[p].size(); ++i)
+        product += vector[group[p][i]] * conjugated(vector[group[largest][i]]);
+      chart.values[position + p] = product / largest_size;
+      chart.variables[varying++] = position + p;
+    }
+    position += group.size();
+  }
+  return chart;
+}
+
+/// The square matrix takes the vector to zero, the whole matrix does not: an eigenvalue of the projection.
+template <class Scalar>
+bool RepresentationPencil::is_spurious(const std::array<Scalar, 4>& point, const Scalar* vector) const {
+  using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  const Eigen::Map<const Column> v(vector, rows_);
+  Column whole = Column::Zero(columns_);
+  Column square = Column::Zero(rows_);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Eigen::Map<const Matrix<double>> block(square_.col(static_cast<long>(k)).data(), rows_, rows_);
+    const Column scaled = point[k] * v;
+    whole += blocks_[k] * scaled;
+    square += block * scaled;
+  }
+  // Of an eigenvalue of multiplicity m the vector is known to about the m-th root of the machine epsilon.
+  constexpr double surely_not_zero = 1e-3;
+  constexpr double surely_zero = 1e-6;
+  const double scale = norm_of(point) * v.norm();
+  return whole.norm() > surely_not_zero * scale && square.norm() < surely_zero * scale;
+}
+
+/// Newton's iteration for the parameters of both. It has settled when the step eta, the size beta of the inverse of the
+/// derivative and a bound K of the second derivatives satisfy beta K eta < 1/10, as in the theorem of Newton and
+/// Kantorovich, but without accounting for rounding.
+template <class Scalar>
+bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& candidate) const {
+  constexpr int most_steps = 6;
+  constexpr double settled = 1e-8;
+  constexpr double farthest = 0.5;
+  const auto degrees = static_cast<double>(surface_.degrees[0] + surface_.degrees[1] + curve.degree());
+  const double norms = surface_norm_ * curve.coefficients.norm() * degrees * degrees;
+  candidate.moved = 0;
+  for (int iteration = 0; iteration < most_steps; ++iteration) {
+    const PointJet<Scalar> surface = jet(surface_, candidate.chart);
+    const PointJet<Scalar> point = jet(curve, candidate.t, candidate.t_variable);
+    const double scale = norm_of(surface.value) * norm_of(point.value);
+    constexpr double nowhere = 1e-11;
+    if (!(scale > nowhere * norms / (degrees * degrees))) return false;
+    std::size_t pivot = 0;
+    for (std::size_t k = 1; k < 4; ++k)
+      if (size_of(point.value[k]) > size_of(point.value[pivot])) pivot = k;
+    std::array<Scalar, 3> value;
+    std::array<std::array<Scalar, 3>, 3> derivative;
+    std::array<std::array<Scalar, 3>, 3> inverse;
+    double distance = 0;
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k == pivot) continue;
+      value[row] = (surface.value[k] * point.value[pivot] - surface.value[pivot] * point.value[k]) / scale;
+      for (std::size_t a = 0; a < 2; ++a)
+        derivative[row][a] =
+            (surface.derivative[a][k] * point.value[pivot] - surface.derivative[a][pivot] * point.value[k]) / scale;
+      derivative[row][2] =
+          (surface.value[k] * point.derivative[0][pivot] - surface.value[pivot] * point.derivative[0][k]) / scale;
+      distance += std::norm(value[row]);
+      ++row;
+    }
+    candidate.distance = std::min(1.0, 2 * std::sqrt(distance));
+    if (!invert(derivative, inverse)) return false;
+    double inverse_size = 0;
+    double step = 0;
+    std::array<Scalar, 3> change;
+    for (std::size_t i = 0; i < 3; ++i) {
+      change[i] = inverse[i][0] * value[0] + inverse[i][1] * value[1] + inverse[i][2] * value[2];
+      step = std::max(step, size_of(change[i]));
+      for (const Scalar& entry : inverse[i]) inverse_size += std::norm(entry);
+    }
+    inverse_size = std::sqrt(inverse_size);
+    if (!(step + candidate.moved < farthest)) return false;
+    candidate.moved += step;
+    candidate.step = step;
+    for (std::size_t a = 0; a < 2; ++a) candidate.chart.values[candidate.chart.variables[a]] -= change[a];
+    candidate.t[candidate.t_variable] -= change[2];
+    if (step < settled && inverse_size * step * norms / scale < 0.1) return true;
+  }
+  return false;
+}
+
+/// The smallest singular vector of the whole matrix at a point, by two steps of inverse iteration.
+template <class Scalar>
+void RepresentationPencil::inverse_iteration(const std::array<Scalar, 4>& point, Scalar* vector) const {
+  using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  Dense matrix = Dense::Zero(columns_, rows_);
+  for (std::size_t k = 0; k < 4; ++k) matrix += point[k] * blocks_[k].template cast<Scalar>();
+  const Eigen::HouseholderQR<Dense> qr(matrix);
+  Dense r = qr.matrixQR().topRows(rows_);
+  const double smallest = machine_epsilon<double>() * std::max(r.norm(), std::numeric_limits<double>::min());
+  for (long i = 0; i < rows_; ++i)
+    if (!(std::abs(r(i, i)) > smallest)) r(i, i) = Scalar(smallest);
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> v(rows_);
+  for (long i = 0; i < rows_; ++i) v(i) = Scalar(fixed_random(static_cast<std::uint64_t>(i)));
+  for (int step = 0; step < 2; ++step) {
+    r.adjoint().template triangularView<Eigen::Lower>().solveInPlace(v);
+    v /= v.cwiseAbs().maxCoeff();
+    r.template triangularView<Eigen::Upper>().solveInPlace(v);
+    v /= v.cwiseAbs().maxCoeff();
+  }
+  for (long i = 0; i < rows_; ++i) vector[i] = finite(v(i)) ? v(i) : Scalar(0);
+}
+
+/// False when the eigenvalue belongs to the projection alone.
+template <class Scalar>
+bool RepresentationPencil::solve_eigenvalue(Workspace& workspace, long index, Scalar* vector,
+                                            Candidate<Scalar>& candidate) const {
+  const Complex eigenvalue = workspace.eigenpairs.eigenvalue(index);
+  Scalar x;
+  if constexpr (std::is_same_v<Scalar, double>)
+    x = eigenvalue.real();
+  else
+    x = eigenvalue;
+  const bool large = std::abs(x) > 1;
+  const std::array<Scalar, 2> t{large ? Scalar(1) : x, large ? Scalar(1) / x : Scalar(1)};
+  const std::array<Scalar, 4> point = jet(workspace.curve, t, large ? 1 : 0).value;
+  if (columns_ > rows_ && is_spurious(point, vector)) return false;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    if (attempt == 1) inverse_iteration(point, vector);
+    double largest = 0;
+    for (long i = 0; i < rows_; ++i) largest = std::max(largest, size_of(vector[i]));
+    if (!(largest > 0)) continue;
+    const ParameterChart<Scalar> start = read_parameters(vector);
+    if (!finite(start.values[start.variables[0]]) || !finite(start.values[start.variables[1]])) continue;
+    candidate.chart = start;
+    candidate.t = t;
+    candidate.t_variable = large ? 1 : 0;
+    candidate.has_parameters = true;
+    if (polish(workspace.curve, candidate)) {
+      candidate.state = NumericState::converged;
+      break;
+    }
+    candidate.chart = start;
+    candidate.t = t;
+    candidate.step = 0;
+  }
+  if (!candidate.has_parameters) candidate.t = t;
+  if (candidate.state != NumericState::converged) return true;
+  // Too far to be sure that it was this eigenvalue.
+  constexpr double negligible = 1e-10;
+  if (candidate.moved < negligible) return true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (long k = 0; k < workspace.eigenpairs.size(); ++k) {
+    if (k == index) continue;
+    const Complex other = workspace.eigenpairs.eigenvalue(k);
+    const double chord = std::abs(other - eigenvalue) / std::sqrt((1 + std::norm(other)) * (1 + std::norm(eigenvalue)));
+    nearest = std::min(nearest, chord);
+  }
+  if (candidate.moved > nearest / 3) candidate.state = NumericState::undetermined;
+  return true;
+}
+
+void RepresentationPencil::intersect(const CurveForms& curve, bool real_only, Workspace& workspace,
+                                     NumericIntersections& result) const {
+  if (curve.degree() < 1 || curve.degree() > largest_numeric_degree)
+    throw InvalidInput("the degree of the curve is " + std::to_string(curve.degree()), "1 to 31");
+  if (!all_finite(curve.coefficients)) throw InvalidInput("a coefficient of the curve is not finite", "numbers");
+  result.solutions.clear();
+  result.outcome = NumericOutcome::solved;
+  CurveForms& framed = workspace.framed;
+  framed = curve;
+  frame_.apply(framed.coefficients);
+  const double largest = framed.coefficients.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) throw InvalidInput("the curve is nowhere", "a curve");
+  framed.coefficients /= power_of_two_near(largest);
+
+  Turn turn;
+  const double first = framed.coefficients.col(0).norm();
+  const double last = framed.coefficients.col(curve.degree()).norm();
+  if (first > 0 && last > 0) {
+    constexpr double widest = 0x1p40;
+    turn.scale = power_of_two_near(
+        std::clamp(std::pow(first / last, 1.0 / static_cast<double>(curve.degree())), 1 / widest, widest));
+  }
+  // Angles that no simple ratio of parameters has.
+  constexpr std::array<double, 4> angles{0.91, 1.73, 2.39, 0.17};
+  constexpr double well_conditioned = 1e-7;
+  constexpr double singular = 1e-13;
+  double best = -1;
+  Turn best_turn = turn;
+  for (const double angle : angles) {
+    turn.cosine = std::cos(angle);
+    turn.sine = std::sin(angle);
+    const double ratio = factor_leading(turn, framed, workspace);
+    if (ratio > best) {
+      best = ratio;
+      best_turn = turn;
+    }
+    if (ratio > well_conditioned) break;
+  }
+  if (!(best > singular)) {
+    result.outcome = NumericOutcome::rank_deficient;
+    return;
+  }
+  if (best_turn.cosine != turn.cosine) {
+    turn = best_turn;
+    factor_leading(turn, framed, workspace);
+  }
+  solve_companion(workspace);
+  if (!all_finite(workspace.companion)) {
+    result.outcome = NumericOutcome::rank_deficient;
+    return;
+  }
+  HessenbergEigenpairs& eigenpairs = workspace.eigenpairs;
+  if (!eigenpairs.compute(workspace.companion)) {
+    result.outcome = NumericOutcome::not_converged;
+    return;
+  }
+  workspace.chosen.clear();
+  for (long k = 0; k < eigenpairs.size(); ++k) {
+    const double imaginary = eigenpairs.eigenvalue(k).imag();
+    if (real_only ? imaginary == 0 : imaginary >= 0) workspace.chosen.push_back(k);
+  }
+  const Matrix<double>& vectors = eigenpairs.eigenvectors(workspace.chosen, rows_);
+  workspace.real_vector.resize(static_cast<std::size_t>(rows_));
+  workspace.complex_vector.resize(static_cast<std::size_t>(rows_));
+  const auto add = [&](const auto& candidate, bool conjugate) {
+    NumericIntersection& solution = result.solutions.emplace_back();
+    auto t = turn.back(candidate.t);
+    if (curve.bernstein) t[1] += t[0];
+    const double t_size = std::max(std::abs(t[0]), std::abs(t[1]));
+    for (std::size_t k = 0; k < 2; ++k) solution.t[k] = Complex(t[k] / t_size);
+    solution.has_parameters = candidate.has_parameters;
+    if (candidate.has_parameters) {
+      auto values = candidate.chart.values;
+      if (!surface_.triangular && surface_.bernstein)
+        for (std::size_t k = 0; k < 4; k += 2) {
+          values[k + 1] += values[k];
+          const double size = std::max(std::abs(values[k]), std::abs(values[k + 1]));
+          values[k] /= size;
+          values[k + 1] /= size;
+        }
+      for (std::size_t k = 0; k < 4; ++k) solution.parameters[k] = Complex(values[k]);
+    }
+    solution.step = candidate.step;
+    solution.distance = candidate.distance;
+    solution.state = candidate.state;
+    if (!conjugate) return;
+    for (Complex& value : solution.t) value = std::conj(value);
+    for (Complex& value : solution.parameters) value = std::conj(value);
+  };
+  long column = 0;
+  for (const long k : workspace.chosen) {
+    if (eigenpairs.eigenvalue(k).imag() == 0) {
+      for (long i = 0; i < rows_; ++i) workspace.real_vector[static_cast<std::size_t>(i)] = vectors(i, column);
+      ++column;
+      Candidate<double> candidate;
+      if (solve_eigenvalue(workspace, k, workspace.real_vector.data(), candidate)) add(candidate, false);
+      continue;
+    }
+    for (long i = 0; i < rows_; ++i)
+      workspace.complex_vector[static_cast<std::size_t>(i)] = {vectors(i, column), vectors(i, column + 1)};
+    column += 2;
+    Candidate<Complex> candidate;
+    if (!solve_eigenvalue(workspace, k, workspace.complex_vector.data(), candidate)) continue;
+    add(candidate, false);
+    add(candidate, true);
+  }
+}
+
+}  // namespace eliminant::numeric
