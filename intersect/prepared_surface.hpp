@@ -60,7 +60,7 @@ class PreparedSurface {
     return larger->inversion;
   }
   const SurfacePencil& pencil() {
-    if (!pencil_) pencil_ = std::make_unique<SurfacePencil>(matrix(), inversion_for(1));
+    if (!pencil_) pencil_ = std::make_unique<SurfacePencil>(map(), matrix(), inversion_for(1));
     return *pencil_;
   }
   const symbolic::ImplicitDegree& degree() {

@@ -78,6 +78,8 @@ struct EngineReport {
   /// Columns of the regular part: the number of finite eigenvalues.
   long regular_size = 0;
   int precision_bits = 0;
+  /// Of a curve and a surface whose matrix is not square: "projection" or "staircase".
+  std::string singular_pencil;
   /// s of the verified generic shear x + s y, where multiplicities needed one.
   std::optional<long> shear;
   /// Largest change of a coordinate (relative to max(1, |coordinate|)) by the refinement of the pencil's solutions.

@@ -3,23 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
-#include <Eigen/QR>
-
+#include <eliminant/bridge/round_representation.hpp>
 #include <eliminant/intersect/common_points.hpp>
 #include <eliminant/intersect/parameter_roots.hpp>
 #include <eliminant/intersect/presentation.hpp>
-#include <eliminant/numeric/generalized_eigen.hpp>
-#include <eliminant/symbolic/elimination/prime_field.hpp>
+#include <eliminant/symbolic/elimination/pencil_structure.hpp>
 
 namespace eliminant::intersect {
 
 namespace {
 
 using bridge::ComplexBall;
-using numeric::Matrix;
 
 struct Zero {
   HomogeneousParameters parameters;
@@ -29,88 +24,86 @@ struct Zero {
 
 ComplexBall exact(std::complex<double> z) { return {z.real(), z.imag()}; }
 
-/// The coefficients of a polynomial in doubles, divided by a power of two that is common to all of the curve.
-double scaled_coefficient(const symbolic::UnivariatePolynomial& f, long i, long scale_log2) {
-  slong exponent = 0;
-  const double mantissa = fmpz_get_d_2exp(&exponent, f.coefficient(i).get());
-  return mantissa == 0 ? 0
-                       : std::ldexp(mantissa, static_cast<int>(std::clamp<long>(exponent - scale_log2, -1000, 1000)));
+/// In the chart where the largest parameter of each group is 1.
+HomogeneousParameters chart_of(const bridge::BallSurface& surface, const numeric::NumericIntersection& candidate) {
+  std::size_t count = 0;
+  for (const std::vector<std::size_t>& group : surface.groups()) count += group.size();
+  HomogeneousParameters result(count);
+  for (const std::vector<std::size_t>& group : surface.groups()) {
+    const std::size_t largest = *std::max_element(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
+      return std::abs(candidate.parameters[a]) < std::abs(candidate.parameters[b]);
+    });
+    for (const std::size_t k : group)
+      if (k == largest)
+        acb_one(result[k].get());
+      else
+        result[k] = exact(candidate.parameters[k] / candidate.parameters[largest]);
+  }
+  return result;
 }
 
 }  // namespace
 
-SurfacePencil::SurfacePencil(const symbolic::MatrixRepresentation& m, const SurfaceInversion& inversion)
-    : inversion_(inversion) {
-  const long rows = m.rows();
-  const long columns = m.columns();
-  Matrix<double> stacked(4 * rows, columns);
-  for (long j = 0; j < columns; ++j) {
-    // Each column by its own power of two: they are only a basis.
-    slong largest = std::numeric_limits<slong>::min();
-    for (const symbolic::IntegerMatrix& block : m.coefficients)
-      for (long i = 0; i < rows; ++i) largest = std::max(largest, static_cast<slong>(fmpz_bits(block.entry(i, j))));
-    for (std::size_t k = 0; k < 4; ++k)
-      for (long i = 0; i < rows; ++i) {
-        slong exponent = 0;
-        const double mantissa = fmpz_get_d_2exp(&exponent, m.coefficients[k].entry(i, j));
-        const long shift = std::max<long>(-1000, exponent - largest);
-        stacked(static_cast<long>(k) * rows + i, j) = mantissa == 0 ? 0 : std::ldexp(mantissa, static_cast<int>(shift));
-      }
+SurfacePencil::SurfacePencil(const symbolic::RationalSurface& surface, const symbolic::MatrixRepresentation& m,
+                             const SurfaceInversion& inversion)
+    : m_(m), inversion_(inversion) {
+  const bool triangular = surface.kind() == symbolic::RationalSurface::Kind::triangular;
+  const long degree = triangular ? surface.degree() : std::max(surface.bidegree()[0], surface.bidegree()[1]);
+  if (degree <= numeric::largest_numeric_degree)
+    pencil_.emplace(bridge::round_surface(surface), bridge::round_representation(m, surface.kind()));
+}
+
+numeric::NumericIntersections SurfacePencil::candidates(const symbolic::RationalCurve& curve,
+                                                        SingularPencilMethod method, std::uint64_t seed) const {
+  numeric::RepresentationPencil::Workspace workspace;
+  numeric::NumericIntersections found;
+  found.outcome = numeric::NumericOutcome::not_converged;
+  if (!pencil_ || curve.degree() > numeric::largest_numeric_degree) return found;
+  const numeric::CurveForms rounded = bridge::round_curve(curve);
+  if (method != SingularPencilMethod::staircase) {
+    pencil_->intersect(rounded, false, workspace, found);
+    return found;
   }
-  const Eigen::HouseholderQR<Matrix<double>> qr(stacked);
-  Matrix<double> basis = qr.householderQ() * Matrix<double>::Identity(4 * rows, columns);
-  if (columns > rows) {
-    Matrix<double> random(columns, rows);
-    std::uint64_t drawn = 0;
-    for (long i = 0; i < columns; ++i)
-      for (long j = 0; j < rows; ++j)
-        random(i, j) = static_cast<double>(symbolic::mix(11, drawn++) % 2001) / 1000.0 - 1.0;
-    const Eigen::HouseholderQR<Matrix<double>> projection(random);
-    basis = basis * (projection.householderQ() * Matrix<double>::Identity(columns, rows));
-  }
-  for (long k = 0; k < 4; ++k) blocks_[static_cast<std::size_t>(k)] = basis.block(k * rows, 0, rows, rows);
+  const symbolic::PencilStructure structure = symbolic::pencil_structure_modulo(m_, curve, seed);
+  if (structure.full_rank)
+    pencil_->intersect_by_staircase(rounded, structure.column_steps, structure.row_steps, workspace, found);
+  else
+    found.outcome = numeric::NumericOutcome::rank_deficient;
+  return found;
 }
 
 std::optional<std::vector<CurveSolution>> SurfacePencil::solve(const symbolic::RationalCurve& curve,
                                                                unsigned long expected, const Options& options,
-                                                               const Context& context, EngineReport& report) const {
-  const long rows = blocks_[0].rows();
-  const long degree = curve.degree();
-  long scale_log2 = 0;
-  for (const symbolic::UnivariatePolynomial& f : curve.coordinates())
-    for (long i = 0; i <= f.degree(); ++i)
-      scale_log2 = std::max(scale_log2, static_cast<long>(f.coefficient(i).bit_length()));
-  numeric::MatrixPolynomial<double> along;
-  for (long i = 0; i <= degree; ++i) {
-    Matrix<double> coefficient = Matrix<double>::Zero(rows, rows);
-    for (std::size_t k = 0; k < 4; ++k)
-      coefficient += scaled_coefficient(curve.coordinates()[k], i, scale_log2) * blocks_[k];
-    along.coefficients.push_back(std::move(coefficient));
-  }
-  const numeric::Pencil<double> pencil = numeric::companion_pencil(along);
+                                                               const Context& context, EngineReport& report,
+                                                               SingularPencilMethod method) const {
   report.method = "pencil";
   report.matrix = "moving planes";
-  report.matrix_size = rows;
-  report.matrix_degree = degree;
-  report.pencil_size = pencil.size();
+  report.matrix_size = m_.rows();
+  report.matrix_degree = curve.degree();
+  report.pencil_size = m_.rows() * curve.degree();
   report.regular_size = static_cast<long>(expected);
   report.precision_bits = 53;
+  if (method == SingularPencilMethod::staircase)
+    report.singular_pencil = "staircase";
+  else if (m_.columns() > m_.rows())
+    report.singular_pencil = "projection";
   context.checkpoint("eigenvalues");
-  const auto pairs = numeric::generalized_eigen(pencil);
-  if (!pairs) return std::nullopt;
+  const numeric::NumericIntersections found = candidates(curve, method, options.seed);
+  if (found.outcome != numeric::NumericOutcome::solved) return std::nullopt;
 
   const long bits = bits_for_digits(options.digits) + 40;
   std::vector<Zero> zeros;
-  for (Eigen::Index i = 0; i < pairs->values.size() && zeros.size() <= expected; ++i) {
+  std::size_t left = found.solutions.size();
+  for (const numeric::NumericIntersection& candidate : found.solutions) {
     context.checkpoint("certifying");
-    const std::complex<double> t = pairs->values(i);
+    if (zeros.size() > expected || zeros.size() + left < expected) return std::nullopt;
+    --left;
+    const std::complex<double> t = candidate.t[0] / candidate.t[1];
+    if (!candidate.has_parameters || !std::isfinite(t.real()) || !std::isfinite(t.imag())) continue;
     // A conjugate pair at once.
     if (t.imag() < 0) continue;
-    std::vector<ComplexBall> kernel;
-    for (long row = 0; row < rows; ++row) kernel.push_back(exact(pairs->vectors(row, i)));
-    const std::optional<HomogeneousParameters> start = inversion_.read(kernel, 64);
-    if (!start) continue;
-    const auto variables = chart_variables(inversion_.surface(), *start);
+    const HomogeneousParameters start = chart_of(inversion_.surface(), candidate);
+    const auto variables = chart_variables(inversion_.surface(), start);
     if (!variables) continue;
     const ComplexBall start_t = exact(t);
     std::vector<ComplexBall> point;
@@ -118,16 +111,16 @@ std::optional<std::vector<CurveSolution>> SurfacePencil::solve(const symbolic::R
     std::size_t pivot = 0;
     for (std::size_t k = 1; k < 4; ++k)
       if (acb_is_zero(point[pivot].get()) != 0) pivot = k;
-    bridge::HomogeneousParameters chart = *start;
+    bridge::HomogeneousParameters chart = start;
     const bool real = t.imag() == 0;
     std::vector<ComplexBall> from{chart[(*variables)[0]], chart[(*variables)[1]], start_t};
     if (real)
       for (ComplexBall& value : from) arb_zero(value.imaginary());
     const bridge::System system = common_point_system(inversion_.surface(), curve, chart, *variables, pivot);
-    auto found = bridge::enclose_system_zero(system, from, bits, newton_steps(bits) + 2);
-    if (!found) continue;
-    Zero zero{*start, (*found)[2], real};
-    for (std::size_t k = 0; k < 2; ++k) zero.parameters[(*variables)[k]] = (*found)[k];
+    auto found_zero = bridge::enclose_system_zero(system, from, bits, newton_steps(bits) + 2);
+    if (!found_zero) continue;
+    Zero zero{start, (*found_zero)[2], real};
+    for (std::size_t k = 0; k < 2; ++k) zero.parameters[(*variables)[k]] = (*found_zero)[k];
     if (real) {
       for (ComplexBall& value : zero.parameters) arb_zero(value.imaginary());
       arb_zero(zero.t.imaginary());

@@ -45,6 +45,7 @@ Json engine_json(const intersect::EngineReport& engine) {
   add("matrix_degree", engine.matrix_degree, engine.matrix_size != 0);
   add("pencil_size", engine.pencil_size, engine.pencil_size != 0);
   add("regular_size", engine.regular_size, engine.pencil_size != 0);
+  add("singular_pencil", engine.singular_pencil, !engine.singular_pencil.empty());
   add("precision_bits", engine.precision_bits, engine.precision_bits != 0);
   if (engine.shear) out["shear"] = *engine.shear;
   if (engine.largest_error_before_refinement)

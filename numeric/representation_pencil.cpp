@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
 #include <type_traits>
 
 #include <Eigen/QR>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/numeric/generalized_eigen.hpp>
 #include <eliminant/numeric/lapack.hpp>
 
 namespace eliminant::numeric {
@@ -175,9 +178,16 @@ void RepresentationPencil::prepare(const MovingPlaneBlocks& m) {
     for (long i = 0; i < random.size(); ++i) random(i) = fixed_random(static_cast<std::uint64_t>(i));
     combination = Eigen::HouseholderQR<Matrix<double>>(random).householderQ() * combination;
   }
+  // The vectors of the square matrices are reflected: the symmetries of a surface would make some of them orthogonal to
+  // the one vector with which the eigenvectors are found.
+  mirror_.resize(rows_);
+  for (long i = 0; i < rows_; ++i) mirror_(i) = fixed_random(static_cast<std::uint64_t>(i) + 7777);
+  mirror_ /= mirror_.norm();
   square_.resize(rows_ * rows_, 4);
   for (long k = 0; k < 4; ++k) {
-    const Matrix<double> square = combination.transpose() * blocks_[static_cast<std::size_t>(k)];
+    Matrix<double> square = combination.transpose() * blocks_[static_cast<std::size_t>(k)];
+    const Vector<double> image = square * mirror_;
+    square -= 2 * image * mirror_.transpose();
     square_.col(k) = Eigen::Map<const Vector<double>>(square.data(), square.size());
   }
   // Rows that are multiples of each parameter, by what is left of the monomial.
@@ -208,9 +218,9 @@ void RepresentationPencil::prepare(const MovingPlaneBlocks& m) {
 }
 
 /// The matrix along the turned curve, its leading coefficient factored: smallest over largest pivot.
-double RepresentationPencil::factor_leading(const Turn& turn, const CurveForms& curve, Workspace& workspace) const {
-  turn.apply(curve, workspace.curve);
-  const long degree = curve.degree();
+double RepresentationPencil::factor_leading(const Turn& turn, Workspace& workspace) const {
+  turn.apply(workspace.framed, workspace.curve);
+  const long degree = workspace.framed.degree();
   workspace.along.resize(rows_ * rows_, degree + 1);
   const char no = 'N';
   const int entries = static_cast<int>(rows_ * rows_);
@@ -283,29 +293,41 @@ ParameterChart<Scalar> RepresentationPencil::read_parameters(const Scalar* vecto
   return chart;
 }
 
-/// The square matrix takes the vector to zero, the whole matrix does not: an eigenvalue of the projection.
+/// v - 2 (u . v) u: there and back.
 template <class Scalar>
-bool RepresentationPencil::is_spurious(const std::array<Scalar, 4>& point, const Scalar* vector) const {
+void RepresentationPencil::reflect(Scalar* vector) const {
+  Scalar product(0);
+  for (long i = 0; i < rows_; ++i) product += mirror_(i) * vector[i];
+  product *= 2.0;
+  for (long i = 0; i < rows_; ++i) vector[i] -= mirror_(i) * product;
+}
+
+/// The whole matrix does not take the vector to zero, and the square one does or the vector is the best there is: an
+/// eigenvalue of the projection.
+template <class Scalar>
+bool RepresentationPencil::is_spurious(const std::array<Scalar, 4>& point, const Scalar* vector,
+                                       bool vector_is_best) const {
   using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-  const Eigen::Map<const Column> v(vector, rows_);
-  Column whole = Column::Zero(columns_);
-  Column square = Column::Zero(rows_);
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Eigen::Map<const Matrix<double>> block(square_.col(static_cast<long>(k)).data(), rows_, rows_);
-    const Column scaled = point[k] * v;
-    whole += blocks_[k] * scaled;
-    square += block * scaled;
-  }
   // Of an eigenvalue of multiplicity m the vector is known to about the m-th root of the machine epsilon.
   constexpr double surely_not_zero = 1e-3;
   constexpr double surely_zero = 1e-6;
+  Column v = Eigen::Map<const Column>(vector, rows_);
   const double scale = norm_of(point) * v.norm();
-  return whole.norm() > surely_not_zero * scale && square.norm() < surely_zero * scale;
+  if (!(scale > 0)) return false;
+  Column whole = Column::Zero(columns_);
+  for (std::size_t k = 0; k < 4; ++k) whole += blocks_[k] * (point[k] * v);
+  if (!(whole.norm() > surely_not_zero * scale)) return false;
+  if (vector_is_best) return true;
+  reflect(v.data());
+  Column square = Column::Zero(rows_);
+  for (std::size_t k = 0; k < 4; ++k)
+    square += Eigen::Map<const Matrix<double>>(square_.col(static_cast<long>(k)).data(), rows_, rows_) * (point[k] * v);
+  return square.norm() < surely_zero * scale;
 }
 
 /// Newton's iteration for the parameters of both. It has settled when the step eta, the size beta of the inverse of the
 /// derivative and a bound K of the second derivatives satisfy beta K eta < 1/10, as in the theorem of Newton and
-/// Kantorovich, but without accounting for rounding.
+/// Kantorovich, where the step includes what rounding may do to it.
 template <class Scalar>
 bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& candidate) const {
   constexpr int most_steps = 6;
@@ -314,6 +336,7 @@ bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& ca
   const auto degrees = static_cast<double>(surface_.degrees[0] + surface_.degrees[1] + curve.degree());
   const double norms = surface_norm_ * curve.coefficients.norm() * degrees * degrees;
   candidate.moved = 0;
+  candidate.distance = 1;
   for (int iteration = 0; iteration < most_steps; ++iteration) {
     const PointJet<Scalar> surface = jet(surface_, candidate.chart);
     const PointJet<Scalar> point = jet(curve, candidate.t, candidate.t_variable);
@@ -339,7 +362,9 @@ bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& ca
       distance += std::norm(value[row]);
       ++row;
     }
-    candidate.distance = std::min(1.0, 2 * std::sqrt(distance));
+    // Of the start, and of the last point before it settled.
+    distance = std::min(1.0, 2 * std::sqrt(distance));
+    if (iteration == 0) candidate.distance = distance;
     if (!invert(derivative, inverse)) return false;
     double inverse_size = 0;
     double step = 0;
@@ -355,7 +380,11 @@ bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& ca
     candidate.step = step;
     for (std::size_t a = 0; a < 2; ++a) candidate.chart.values[candidate.chart.variables[a]] -= change[a];
     candidate.t[candidate.t_variable] -= change[2];
-    if (step < settled && inverse_size * step * norms / scale < 0.1) return true;
+    const double curvature = norms / scale;
+    const double noise = inverse_size * machine_epsilon<double>() * curvature;
+    if (step > settled || !(inverse_size * (step + noise) * curvature < 0.1)) continue;
+    candidate.distance = distance;
+    return true;
   }
   return false;
 }
@@ -384,9 +413,9 @@ void RepresentationPencil::inverse_iteration(const std::array<Scalar, 4>& point,
 
 /// False when the eigenvalue belongs to the projection alone.
 template <class Scalar>
-bool RepresentationPencil::solve_eigenvalue(Workspace& workspace, long index, Scalar* vector,
-                                            Candidate<Scalar>& candidate) const {
-  const Complex eigenvalue = workspace.eigenpairs.eigenvalue(index);
+bool RepresentationPencil::solve_eigenvalue(const Workspace& workspace, long index, bool vector_is_known,
+                                            Scalar* vector, Candidate<Scalar>& candidate) const {
+  const Complex eigenvalue = workspace.eigenvalues[static_cast<std::size_t>(index)];
   Scalar x;
   if constexpr (std::is_same_v<Scalar, double>)
     x = eigenvalue.real();
@@ -395,13 +424,16 @@ bool RepresentationPencil::solve_eigenvalue(Workspace& workspace, long index, Sc
   const bool large = std::abs(x) > 1;
   const std::array<Scalar, 2> t{large ? Scalar(1) : x, large ? Scalar(1) / x : Scalar(1)};
   const std::array<Scalar, 4> point = jet(workspace.curve, t, large ? 1 : 0).value;
-  if (columns_ > rows_ && is_spurious(point, vector)) return false;
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  candidate.t = t;
+  ParameterChart<Scalar> start;
+  if (vector_is_known) reflect(vector);
+  for (int attempt = vector_is_known ? 0 : 1; attempt < 2; ++attempt) {
     if (attempt == 1) inverse_iteration(point, vector);
+    if (vector_is_known && columns_ > rows_ && is_spurious(point, vector, attempt == 1)) return false;
     double largest = 0;
     for (long i = 0; i < rows_; ++i) largest = std::max(largest, size_of(vector[i]));
     if (!(largest > 0)) continue;
-    const ParameterChart<Scalar> start = read_parameters(vector);
+    start = read_parameters(vector);
     if (!finite(start.values[start.variables[0]]) || !finite(start.values[start.variables[1]])) continue;
     candidate.chart = start;
     candidate.t = t;
@@ -415,128 +447,165 @@ bool RepresentationPencil::solve_eigenvalue(Workspace& workspace, long index, Sc
     candidate.t = t;
     candidate.step = 0;
   }
-  if (!candidate.has_parameters) candidate.t = t;
-  if (candidate.state != NumericState::converged) return true;
   // Too far to be sure that it was this eigenvalue.
   constexpr double negligible = 1e-10;
-  if (candidate.moved < negligible) return true;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (long k = 0; k < workspace.eigenpairs.size(); ++k) {
-    if (k == index) continue;
-    const Complex other = workspace.eigenpairs.eigenvalue(k);
+  if (candidate.state != NumericState::converged || candidate.moved < negligible) return true;
+  for (std::size_t k = 0; k < workspace.eigenvalues.size(); ++k) {
+    if (static_cast<long>(k) == index) continue;
+    const Complex other = workspace.eigenvalues[k];
     const double chord = std::abs(other - eigenvalue) / std::sqrt((1 + std::norm(other)) * (1 + std::norm(eigenvalue)));
-    nearest = std::min(nearest, chord);
+    if (!(candidate.moved > chord / 3)) continue;
+    candidate.chart = start;
+    candidate.t = t;
+    candidate.step = 0;
+    candidate.state = NumericState::undetermined;
+    break;
   }
-  if (candidate.moved > nearest / 3) candidate.state = NumericState::undetermined;
   return true;
 }
 
-void RepresentationPencil::intersect(const CurveForms& curve, bool real_only, Workspace& workspace,
-                                     NumericIntersections& result) const {
+/// Back to the parameters of the caller.
+template <class Scalar>
+NumericIntersection RepresentationPencil::intersection(const Turn& turn, bool bernstein,
+                                                       const Candidate<Scalar>& candidate) const {
+  NumericIntersection solution;
+  std::array<Scalar, 2> t = turn.back(candidate.t);
+  if (bernstein) t[1] += t[0];
+  const double t_size = std::max(std::abs(t[0]), std::abs(t[1]));
+  for (std::size_t k = 0; k < 2; ++k) solution.t[k] = Complex(t[k] / t_size);
+  solution.has_parameters = candidate.has_parameters;
+  solution.step = candidate.step;
+  solution.distance = candidate.distance;
+  solution.state = candidate.state;
+  if (!candidate.has_parameters) return solution;
+  std::array<Scalar, 4> values = candidate.chart.values;
+  if (!surface_.triangular && surface_.bernstein)
+    for (std::size_t k = 0; k < 4; k += 2) {
+      values[k + 1] += values[k];
+      const double size = std::max(std::abs(values[k]), std::abs(values[k + 1]));
+      values[k] /= size;
+      values[k + 1] /= size;
+    }
+  for (std::size_t k = 0; k < 4; ++k) solution.parameters[k] = Complex(values[k]);
+  return solution;
+}
+
+/// What belongs to the chosen eigenvalues, conjugate ones at once.
+void RepresentationPencil::read_solutions(const Turn& turn, bool bernstein, const Matrix<double>* vectors,
+                                          Workspace& workspace, NumericIntersections& result) const {
+  workspace.real_vector.resize(static_cast<std::size_t>(rows_));
+  workspace.complex_vector.resize(static_cast<std::size_t>(rows_));
+  long column = 0;
+  for (const long k : workspace.chosen) {
+    if (workspace.eigenvalues[static_cast<std::size_t>(k)].imag() == 0) {
+      if (vectors != nullptr) std::copy_n(vectors->col(column).data(), rows_, workspace.real_vector.begin());
+      ++column;
+      Candidate<double> candidate;
+      if (solve_eigenvalue(workspace, k, vectors != nullptr, workspace.real_vector.data(), candidate))
+        result.solutions.push_back(intersection(turn, bernstein, candidate));
+      continue;
+    }
+    if (vectors != nullptr)
+      for (long i = 0; i < rows_; ++i)
+        workspace.complex_vector[static_cast<std::size_t>(i)] = {(*vectors)(i, column), (*vectors)(i, column + 1)};
+    column += 2;
+    Candidate<Complex> candidate;
+    if (!solve_eigenvalue(workspace, k, vectors != nullptr, workspace.complex_vector.data(), candidate)) continue;
+    NumericIntersection solution = intersection(turn, bernstein, candidate);
+    result.solutions.push_back(solution);
+    for (Complex& value : solution.t) value = std::conj(value);
+    for (Complex& value : solution.parameters) value = std::conj(value);
+    result.solutions.push_back(solution);
+  }
+}
+
+/// The curve in the frame of the surface, its coefficients about 1: the scale of its parameter that makes both ends
+/// equally large.
+double RepresentationPencil::into_frame(const CurveForms& curve, Workspace& workspace) const {
   if (curve.degree() < 1 || curve.degree() > largest_numeric_degree)
     throw InvalidInput("the degree of the curve is " + std::to_string(curve.degree()), "1 to 31");
   if (!all_finite(curve.coefficients)) throw InvalidInput("a coefficient of the curve is not finite", "numbers");
-  result.solutions.clear();
-  result.outcome = NumericOutcome::solved;
   CurveForms& framed = workspace.framed;
   framed = curve;
+  framed.coefficients /= power_of_two_near(framed.coefficients.cwiseAbs().maxCoeff());
   frame_.apply(framed.coefficients);
   const double largest = framed.coefficients.cwiseAbs().maxCoeff();
   if (!(largest > 0) || !std::isfinite(largest)) throw InvalidInput("the curve is nowhere", "a curve");
   framed.coefficients /= power_of_two_near(largest);
-
-  Turn turn;
   const double first = framed.coefficients.col(0).norm();
   const double last = framed.coefficients.col(curve.degree()).norm();
-  if (first > 0 && last > 0) {
-    constexpr double widest = 0x1p40;
-    turn.scale = power_of_two_near(
-        std::clamp(std::pow(first / last, 1.0 / static_cast<double>(curve.degree())), 1 / widest, widest));
-  }
+  constexpr double negligible = 0x1p-40;
+  if (!(first > negligible) || !(last > negligible)) return 1;
+  return power_of_two_near(std::pow(first / last, 1.0 / static_cast<double>(curve.degree())));
+}
+
+void RepresentationPencil::intersect(const CurveForms& curve, bool real_only, Workspace& workspace,
+                                     NumericIntersections& result) const {
+  result.solutions.clear();
+  result.outcome = NumericOutcome::rank_deficient;
+  Turn turn;
+  turn.scale = into_frame(curve, workspace);
   // Angles that no simple ratio of parameters has.
   constexpr std::array<double, 4> angles{0.91, 1.73, 2.39, 0.17};
   constexpr double well_conditioned = 1e-7;
-  constexpr double singular = 1e-13;
+  constexpr double singular = 1e-11;
   double best = -1;
   Turn best_turn = turn;
   for (const double angle : angles) {
     turn.cosine = std::cos(angle);
     turn.sine = std::sin(angle);
-    const double ratio = factor_leading(turn, framed, workspace);
+    const double ratio = factor_leading(turn, workspace);
     if (ratio > best) {
       best = ratio;
       best_turn = turn;
     }
     if (ratio > well_conditioned) break;
   }
-  if (!(best > singular)) {
-    result.outcome = NumericOutcome::rank_deficient;
-    return;
-  }
+  if (!(best > singular)) return;
   if (best_turn.cosine != turn.cosine) {
     turn = best_turn;
-    factor_leading(turn, framed, workspace);
+    factor_leading(turn, workspace);
   }
   solve_companion(workspace);
-  if (!all_finite(workspace.companion)) {
-    result.outcome = NumericOutcome::rank_deficient;
-    return;
-  }
+  if (!all_finite(workspace.companion)) return;
   HessenbergEigenpairs& eigenpairs = workspace.eigenpairs;
-  if (!eigenpairs.compute(workspace.companion)) {
-    result.outcome = NumericOutcome::not_converged;
-    return;
-  }
+  result.outcome = NumericOutcome::not_converged;
+  if (!eigenpairs.compute(workspace.companion)) return;
+  result.outcome = NumericOutcome::solved;
+  workspace.eigenvalues.clear();
   workspace.chosen.clear();
   for (long k = 0; k < eigenpairs.size(); ++k) {
-    const double imaginary = eigenpairs.eigenvalue(k).imag();
-    if (real_only ? imaginary == 0 : imaginary >= 0) workspace.chosen.push_back(k);
+    const Complex value = eigenpairs.eigenvalue(k);
+    workspace.eigenvalues.push_back(value);
+    if (real_only ? value.imag() == 0 : value.imag() >= 0) workspace.chosen.push_back(k);
   }
   const Matrix<double>& vectors = eigenpairs.eigenvectors(workspace.chosen, rows_);
-  workspace.real_vector.resize(static_cast<std::size_t>(rows_));
-  workspace.complex_vector.resize(static_cast<std::size_t>(rows_));
-  const auto add = [&](const auto& candidate, bool conjugate) {
-    NumericIntersection& solution = result.solutions.emplace_back();
-    auto t = turn.back(candidate.t);
-    if (curve.bernstein) t[1] += t[0];
-    const double t_size = std::max(std::abs(t[0]), std::abs(t[1]));
-    for (std::size_t k = 0; k < 2; ++k) solution.t[k] = Complex(t[k] / t_size);
-    solution.has_parameters = candidate.has_parameters;
-    if (candidate.has_parameters) {
-      auto values = candidate.chart.values;
-      if (!surface_.triangular && surface_.bernstein)
-        for (std::size_t k = 0; k < 4; k += 2) {
-          values[k + 1] += values[k];
-          const double size = std::max(std::abs(values[k]), std::abs(values[k + 1]));
-          values[k] /= size;
-          values[k + 1] /= size;
-        }
-      for (std::size_t k = 0; k < 4; ++k) solution.parameters[k] = Complex(values[k]);
-    }
-    solution.step = candidate.step;
-    solution.distance = candidate.distance;
-    solution.state = candidate.state;
-    if (!conjugate) return;
-    for (Complex& value : solution.t) value = std::conj(value);
-    for (Complex& value : solution.parameters) value = std::conj(value);
-  };
-  long column = 0;
-  for (const long k : workspace.chosen) {
-    if (eigenpairs.eigenvalue(k).imag() == 0) {
-      for (long i = 0; i < rows_; ++i) workspace.real_vector[static_cast<std::size_t>(i)] = vectors(i, column);
-      ++column;
-      Candidate<double> candidate;
-      if (solve_eigenvalue(workspace, k, workspace.real_vector.data(), candidate)) add(candidate, false);
-      continue;
-    }
-    for (long i = 0; i < rows_; ++i)
-      workspace.complex_vector[static_cast<std::size_t>(i)] = {vectors(i, column), vectors(i, column + 1)};
-    column += 2;
-    Candidate<Complex> candidate;
-    if (!solve_eigenvalue(workspace, k, workspace.complex_vector.data(), candidate)) continue;
-    add(candidate, false);
-    add(candidate, true);
+  read_solutions(turn, curve.bernstein, &vectors, workspace, result);
+}
+
+void RepresentationPencil::intersect_by_staircase(const CurveForms& curve, const StaircaseSteps& column_steps,
+                                                  const StaircaseSteps& row_steps, Workspace& workspace,
+                                                  NumericIntersections& result) const {
+  result.solutions.clear();
+  result.outcome = NumericOutcome::not_converged;
+  Turn turn;
+  turn.scale = into_frame(curve, workspace);
+  turn.apply(workspace.framed, workspace.curve);
+  std::vector<Matrix<double>> along;
+  for (long i = 0; i <= curve.degree(); ++i) {
+    Matrix<double>& coefficient = along.emplace_back(Matrix<double>::Zero(columns_, rows_));
+    for (std::size_t k = 0; k < 4; ++k)
+      coefficient += workspace.curve.coefficients(static_cast<long>(k), i) * blocks_[k];
   }
+  const std::optional<Eigenpairs<double>> pairs =
+      generalized_eigen(regular_part_staircase(rectangular_companion_pencil(along), column_steps, row_steps));
+  if (!pairs) return;
+  result.outcome = NumericOutcome::solved;
+  workspace.eigenvalues.assign(pairs->values.data(), pairs->values.data() + pairs->values.size());
+  workspace.chosen.clear();
+  for (long k = 0; k < pairs->values.size(); ++k)
+    if (pairs->values(k).imag() >= 0) workspace.chosen.push_back(k);
+  read_solutions(turn, curve.bernstein, nullptr, workspace, result);
 }
 
 }  // namespace eliminant::numeric

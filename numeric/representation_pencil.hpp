@@ -7,6 +7,7 @@
 
 #include <eliminant/numeric/hessenberg_eigenpairs.hpp>
 #include <eliminant/numeric/moving_plane_blocks.hpp>
+#include <eliminant/numeric/rectangular_staircase.hpp>
 
 namespace eliminant::numeric {
 
@@ -62,6 +63,7 @@ class RepresentationPencil {
     Matrix<double> along;  // the matrix coefficients, one beside the other
     Matrix<double> companion;
     std::vector<int> pivots;
+    std::vector<std::complex<double>> eigenvalues;  // in the turned parameter
     std::vector<long> chosen;
     std::vector<double> real_vector;
     std::vector<std::complex<double>> complex_vector;
@@ -76,6 +78,13 @@ class RepresentationPencil {
   /// All eigenvalues of the curve, or the real ones alone; conjugate ones stand side by side. Throws InvalidInput when
   /// a coefficient is not finite, the curve is a point, or its degree exceeds largest_numeric_degree.
   void intersect(const CurveForms& curve, bool real_only, Workspace& workspace, NumericIntersections& result) const;
+
+  /// The same from the regular part of the companion pencil of the whole matrix, [LuuBuseMourrain2009], section 3.3:
+  /// the finite eigenvalues alone, and none of a projection. The steps are the exact ranks for this curve. Slower, and
+  /// it allocates.
+  void intersect_by_staircase(const CurveForms& curve, const StaircaseSteps& column_steps,
+                              const StaircaseSteps& row_steps, Workspace& workspace,
+                              NumericIntersections& result) const;
 
   long rows() const { return rows_; }
   long columns() const { return columns_; }
@@ -93,19 +102,27 @@ class RepresentationPencil {
   struct Candidate;
 
   static Frame frame_of(const SurfaceForms& surface);
+  double into_frame(const CurveForms& curve, Workspace& workspace) const;
   void prepare(const MovingPlaneBlocks& m);
-  double factor_leading(const Turn& turn, const CurveForms& curve, Workspace& workspace) const;
+  double factor_leading(const Turn& turn, Workspace& workspace) const;
   void solve_companion(Workspace& workspace) const;
   template <class Scalar>
   ParameterChart<Scalar> read_parameters(const Scalar* vector) const;
   template <class Scalar>
-  bool is_spurious(const std::array<Scalar, 4>& point, const Scalar* vector) const;
+  void reflect(Scalar* vector) const;
+  template <class Scalar>
+  bool is_spurious(const std::array<Scalar, 4>& point, const Scalar* vector, bool vector_is_best) const;
   template <class Scalar>
   bool polish(const CurveForms& curve, Candidate<Scalar>& candidate) const;
   template <class Scalar>
   void inverse_iteration(const std::array<Scalar, 4>& point, Scalar* vector) const;
   template <class Scalar>
-  bool solve_eigenvalue(Workspace& workspace, long index, Scalar* vector, Candidate<Scalar>& candidate) const;
+  bool solve_eigenvalue(const Workspace& workspace, long index, bool vector_is_known, Scalar* vector,
+                        Candidate<Scalar>& candidate) const;
+  template <class Scalar>
+  NumericIntersection intersection(const Turn& turn, bool bernstein, const Candidate<Scalar>& candidate) const;
+  void read_solutions(const Turn& turn, bool bernstein, const Matrix<double>* vectors, Workspace& workspace,
+                      NumericIntersections& result) const;
 
   Frame frame_;
   SurfaceForms surface_;  // in the frame
@@ -115,7 +132,8 @@ class RepresentationPencil {
   /// For each group of parameters and each of them: the rows that are multiples of it, in the order of what is left.
   std::vector<std::vector<std::vector<long>>> multiples_;
   std::array<Matrix<double>, 4> blocks_;  // all columns, transposed: columns x rows
-  Matrix<double> square_;                 // the transposed square matrices as columns: rows^2 x 4
+  Matrix<double> square_;                 // the transposed square matrices as columns: rows^2 x 4, of reflected vectors
+  Vector<double> mirror_;                 // the unit vector across which they are reflected
   double surface_norm_ = 0;
 };
 
