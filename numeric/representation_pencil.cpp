@@ -108,6 +108,7 @@ struct RepresentationPencil::Candidate {
   std::array<Scalar, 2> t{};
   std::size_t t_variable = 0;
   double step = 0;
+  double first_step = 0;
   double distance = 1;
   double moved = 0;
   bool has_parameters = false;
@@ -334,7 +335,7 @@ bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& ca
   constexpr double settled = 1e-8;
   constexpr double farthest = 0.5;
   const auto degrees = static_cast<double>(surface_.degrees[0] + surface_.degrees[1] + curve.degree());
-  const double norms = surface_norm_ * curve.coefficients.norm() * degrees * degrees;
+  const double norms = surface_norm_ * curve.coefficients.norm();
   candidate.moved = 0;
   candidate.distance = 1;
   for (int iteration = 0; iteration < most_steps; ++iteration) {
@@ -342,7 +343,7 @@ bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& ca
     const PointJet<Scalar> point = jet(curve, candidate.t, candidate.t_variable);
     const double scale = norm_of(surface.value) * norm_of(point.value);
     constexpr double nowhere = 1e-11;
-    if (!(scale > nowhere * norms / (degrees * degrees))) return false;
+    if (!(scale > nowhere * norms)) return false;
     std::size_t pivot = 0;
     for (std::size_t k = 1; k < 4; ++k)
       if (size_of(point.value[k]) > size_of(point.value[pivot])) pivot = k;
@@ -376,12 +377,13 @@ bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& ca
     }
     inverse_size = std::sqrt(inverse_size);
     if (!(step + candidate.moved < farthest)) return false;
+    if (iteration == 0) candidate.first_step = step;
     candidate.moved += step;
     candidate.step = step;
     for (std::size_t a = 0; a < 2; ++a) candidate.chart.values[candidate.chart.variables[a]] -= change[a];
     candidate.t[candidate.t_variable] -= change[2];
-    const double curvature = norms / scale;
-    const double noise = inverse_size * machine_epsilon<double>() * curvature;
+    const double curvature = degrees * degrees * norms / scale;
+    const double noise = inverse_size * machine_epsilon<double>() * norms / scale;
     if (step > settled || !(inverse_size * (step + noise) * curvature < 0.1)) continue;
     candidate.distance = distance;
     return true;
@@ -445,7 +447,7 @@ bool RepresentationPencil::solve_eigenvalue(const Workspace& workspace, long ind
     }
     candidate.chart = start;
     candidate.t = t;
-    candidate.step = 0;
+    candidate.step = candidate.first_step = 0;
   }
   // Too far to be sure that it was this eigenvalue.
   constexpr double negligible = 1e-10;
@@ -457,7 +459,7 @@ bool RepresentationPencil::solve_eigenvalue(const Workspace& workspace, long ind
     if (!(candidate.moved > chord / 3)) continue;
     candidate.chart = start;
     candidate.t = t;
-    candidate.step = 0;
+    candidate.step = candidate.first_step = 0;
     candidate.state = NumericState::undetermined;
     break;
   }
@@ -475,6 +477,7 @@ NumericIntersection RepresentationPencil::intersection(const Turn& turn, bool be
   for (std::size_t k = 0; k < 2; ++k) solution.t[k] = Complex(t[k] / t_size);
   solution.has_parameters = candidate.has_parameters;
   solution.step = candidate.step;
+  solution.first_step = candidate.first_step;
   solution.distance = candidate.distance;
   solution.state = candidate.state;
   if (!candidate.has_parameters) return solution;

@@ -28,6 +28,8 @@ struct NumericIntersection {
   /// Length of the last step of Newton's iteration, in parameters of which the largest is 1; the error left is about
   /// its square.
   double step = 0;
+  /// Length of the first one, which is about the error of eigenvalue and eigenvector.
+  double first_step = 0;
   /// Sine of the angle between both points as vectors (x, y, z, w), in the coordinates the object works in.
   double distance = 0;
   NumericState state = NumericState::undetermined;

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # bench.sh [SUBJECT [OPTION...]]
-# Installs what is missing, builds the benchmarks and runs those of SUBJECT (plane_curves, curve_surface, stages; default:
-# all) with one thread. The results are printed and written to build/release/bench_SUBJECT.json. Options are those of
+# Installs what is missing, builds the benchmarks and runs those of SUBJECT (plane_curves, curve_surface, surface_pencil, stages;
+# default: all) with one thread. The results are printed and written to build/release/bench_SUBJECT.json. Options are those of
 # Google Benchmark.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/.."
 
-subjects=(plane_curves curve_surface stages)
+subjects=(plane_curves curve_surface surface_pencil stages)
 if [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; then
   subjects=("$1")
   shift
