@@ -5,6 +5,7 @@
 //   scripts/bench.sh curve_surface [--benchmark_filter=REGEX ...]
 #include <benchmark/benchmark.h>
 
+#include <eliminant/intersect/bezier_intersection.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 #include <support/curves.hpp>
@@ -74,6 +75,53 @@ void solve(benchmark::State& state, const Family& family, Engine engine, std::si
   state.counters["certified"] = static_cast<double>(certified);
 }
 
+/// The same pairs as control points in doubles, the patch prepared.
+void solve_doubles(benchmark::State& state, const Family& family) {
+  using eliminant::bridge::HomogeneousPoint;
+  using eliminant::intersect::BezierCurve;
+  using eliminant::intersect::BezierIntersector;
+  using eliminant::intersect::BezierPatch;
+  constexpr std::size_t pairs = 200;
+  Random random(2026);
+  const auto number = [&](long low, long high) { return static_cast<double>(random.between(low, high)) / 1024; };
+  const auto weighted = [&](double x, double y, double z) {
+    const double w = family.rational ? static_cast<double>(random.between(8, 32)) / 16 : 1;
+    return HomogeneousPoint{w * x, w * y, w * z, w};
+  };
+  std::vector<BezierCurve> curves;
+  std::vector<BezierIntersector> patches;
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    BezierCurve& curve = curves.emplace_back();
+    for (std::size_t i = 0; i <= family.curve_degree; ++i)
+      curve.points.push_back(weighted(number(0, 1024), number(0, 1024), number(-900, 900)));
+    BezierPatch patch{{family.patch_degree, family.patch_degree}, {}};
+    const double step = 1 / static_cast<double>(family.patch_degree);
+    for (std::size_t i = 0; i <= family.patch_degree; ++i)
+      for (std::size_t j = 0; j <= family.patch_degree; ++j)
+        patch.points.push_back(weighted(step * static_cast<double>(i) + number(-100, 100),
+                                        step * static_cast<double>(j) + number(-100, 100), number(-600, 600)));
+    patches.emplace_back(std::move(patch));
+  }
+  std::size_t listed = 0;
+  std::size_t certified = 0;
+  for (auto _ : state) {
+    listed = certified = 0;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      const auto result = patches[pair].intersect(curves[pair]);
+      listed += result.points.size();
+      if (result.status == eliminant::intersect::Status::certified) ++certified;
+    }
+  }
+  state.counters["per_pair"] = benchmark::Counter(
+      static_cast<double>(pairs), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["solutions"] = static_cast<double>(listed);
+  state.counters["certified"] = static_cast<double>(certified);
+}
+
+BENCHMARK_CAPTURE(solve_doubles, line_bicubic, {1, 3, false})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(solve_doubles, cubic_bicubic, {3, 3, false})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(solve_doubles, rational_cubic_bicubic, {3, 3, true})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(solve_doubles, degree_8_biquintic, {8, 5, false})->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solve, box_line_bicubic, {1, 3, false}, Engine::box, 50)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve, box_cubic_bicubic, {3, 3, false}, Engine::box, 50)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve, box_rational_cubic_bicubic, {3, 3, true}, Engine::box, 50)->Unit(benchmark::kMillisecond);

@@ -22,7 +22,7 @@ struct FoundParameters {
 
 using BezierRun = std::function<FoundParameters()>;
 
-/// All intersections within the domains, certified, 15 digits.
+/// All intersections within the domains, certified.
 BezierRun eliminant_bezier(const test::BezierCase& bezier);
 /// GeomAPI_IntCS, and Geom2dAPI_InterCurveCurve at its tolerance of 1e-6.
 BezierRun occt_bezier(const test::BezierCase& bezier);

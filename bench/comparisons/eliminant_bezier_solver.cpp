@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
-#include <eliminant/intersect/curve_curve.hpp>
-#include <eliminant/intersect/curve_surface.hpp>
-#include <support/bezier_problems.hpp>
+#include <eliminant/intersect/bezier_intersection.hpp>
 
 #include "bezier_solvers.hpp"
 
@@ -11,30 +9,33 @@ namespace eliminant::comparisons {
 
 namespace {
 
-double middle(const intersect::Parameter& parameter) {
-  return arf_get_d(arb_midref(parameter->ball.real()), ARF_RND_NEAR);
+FoundParameters found(const intersect::BezierIntersections& result) {
+  FoundParameters parameters;
+  for (const intersect::BezierPoint& point : result.points) {
+    // A point with several parameters on the patch is one on the curve.
+    if (parameters.points.empty() || parameters.points.back() != point.parameters[0])
+      parameters.points.push_back(point.parameters[0]);
+  }
+  parameters.stretches = result.overlap;
+  parameters.complete = result.status == intersect::Status::certified ||
+                        (result.status == intersect::Status::infinite && !result.overlap.empty());
+  return parameters;
 }
 
-FoundParameters found(const intersect::CurveResult& result) {
-  using intersect::Status;
-  FoundParameters parameters;
-  for (const intersect::CurveSolution& solution : result.solutions) parameters.points.push_back(middle(*solution.t));
-  for (const intersect::Overlap& overlap : result.overlap)
-    parameters.stretches.push_back({middle((*overlap.t)[0]), middle((*overlap.t)[1])});
-  parameters.complete = result.status == Status::certified ||
-                        (result.status == Status::infinite && result.rest_status == Status::certified);
-  return parameters;
+intersect::BezierIntersector intersector(const test::BezierCase& bezier) {
+  if (bezier.in_plane()) return intersect::BezierIntersector(intersect::BezierCurve{bezier.second});
+  intersect::BezierPatch patch;
+  patch.degree = {bezier.patch.size() - 1, bezier.patch.front().size() - 1};
+  for (const test::ControlPolygon& row : bezier.patch)
+    patch.points.insert(patch.points.end(), row.begin(), row.end());
+  return intersect::BezierIntersector(std::move(patch));
 }
 
 }  // namespace
 
 BezierRun eliminant_bezier(const test::BezierCase& bezier) {
-  if (bezier.in_plane())
-    return [problem = test::curve_curve_problem(bezier)] {
-      return found(intersect::intersect_curve_curve(problem, {}, Context()));
-    };
-  return [problem = test::curve_surface_problem(bezier)] {
-    return found(intersect::intersect_curve_surface(problem, {}, Context()));
+  return [second = intersector(bezier), first = intersect::BezierCurve{bezier.curve}] {
+    return found(second.intersect(first));
   };
 }
 
