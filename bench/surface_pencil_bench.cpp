@@ -145,6 +145,38 @@ void exact_representation(benchmark::State& state, bool rational) {
 BENCHMARK_CAPTURE(exact_representation, polynomial_20_bits, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(exact_representation, rational_20_bits, true)->Unit(benchmark::kMillisecond);
 
+/// With proofs, 15 digits, on the exact representation, which is given.
+void certified(benchmark::State& state, long degree) {
+  using namespace eliminant;
+  Random random(2026);
+  const Context context;
+  const symbolic::RationalSurface surface = exact_bicubic(random, false);
+  const symbolic::MatrixRepresentation m = symbolic::matrix_representation(surface);
+  const intersect::SurfaceInversion inversion(surface, m);
+  const intersect::SurfacePencil pencil(surface, m, inversion);
+  std::vector<symbolic::RationalCurve> curves;
+  for (int i = 0; i < 20; ++i) {
+    std::vector<symbolic::UnivariatePolynomial> coordinates;
+    for (int k = 0; k < 4; ++k) {
+      std::vector<symbolic::Integer> coefficients;
+      for (long j = 0; j <= degree; ++j) coefficients.emplace_back(random.nonzero((1L << 20U) - 1));
+      coordinates.emplace_back(coefficients);
+    }
+    curves.emplace_back(coordinates);
+  }
+  std::size_t next = 0;
+  std::size_t proven = 0;
+  for (auto _ : state) {
+    intersect::EngineReport report;
+    const auto solutions =
+        pencil.solve(curves[next++ % curves.size()], static_cast<unsigned long>(18 * degree), {}, context, report);
+    if (solutions) ++proven;
+  }
+  state.counters["certified"] = static_cast<double>(proven) / static_cast<double>(next);
+}
+BENCHMARK_CAPTURE(certified, line_bicubic, 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(certified, cubic_bicubic, 3)->Unit(benchmark::kMicrosecond);
+
 double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

@@ -12,6 +12,7 @@
 #include <Eigen/QR>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/numeric/common_point_newton.hpp>
 #include <eliminant/numeric/generalized_eigen.hpp>
 #include <eliminant/numeric/lapack.hpp>
 
@@ -37,14 +38,6 @@ double norm_of(const std::array<Scalar, 4>& v) {
   return std::sqrt(sum);
 }
 
-/// A power of two above x, by a factor of at most 2; 1 where there is none.
-double power_of_two_near(double x) {
-  if (!(x > 0) || !std::isfinite(x)) return 1;
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return std::ldexp(1.0, std::clamp(exponent, -500, 500));
-}
-
 /// Fixed numbers that look random, in [-1, 1] (splitmix64).
 double fixed_random(std::uint64_t index) {
   std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15ULL;
@@ -54,103 +47,23 @@ double fixed_random(std::uint64_t index) {
   return static_cast<double>(z >> 11U) * 0x1p-52 - 1.0;
 }
 
-template <class Scalar>
-bool invert(const std::array<std::array<Scalar, 3>, 3>& a, std::array<std::array<Scalar, 3>, 3>& inverse) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      inverse[j][i] = a[(i + 1) % 3][(j + 1) % 3] * a[(i + 2) % 3][(j + 2) % 3] -
-                      a[(i + 1) % 3][(j + 2) % 3] * a[(i + 2) % 3][(j + 1) % 3];
-  const Scalar determinant = a[0][0] * inverse[0][0] + a[0][1] * inverse[1][0] + a[0][2] * inverse[2][0];
-  if (!(size_of(determinant) > std::numeric_limits<double>::min())) return false;
-  const Scalar reciprocal = Scalar(1) / determinant;
-  for (auto& row : inverse)
-    for (Scalar& entry : row) entry *= reciprocal;
-  return finite(reciprocal);
-}
-
 }  // namespace
 
-/// (t_0, t_1) = (scale (c x_0 + s x_1), c x_1 - s x_0): the parameter x = x_0 / x_1 in which the pencil is solved.
-struct RepresentationPencil::Turn {
-  double scale = 1;
-  double cosine = 1;
-  double sine = 0;
-
-  template <class Scalar>
-  std::array<Scalar, 2> back(const std::array<Scalar, 2>& x) const {
-    return {scale * (cosine * x[0] + sine * x[1]), cosine * x[1] - sine * x[0]};
-  }
-
-  void apply(const CurveForms& curve, CurveForms& result) const {
-    const long degree = curve.degree();
-    result.coefficients.setZero(4, degree + 1);
-    std::array<double, largest_numeric_degree + 1> form{};
-    double factor = 1;
-    for (long i = 0; i <= degree; ++i, factor *= scale) {
-      // (c x_0 + s x_1)^i (c x_1 - s x_0)^(degree - i), in ascending powers of x_0.
-      form.fill(0);
-      form[0] = factor;
-      for (long k = 0; k < degree; ++k) {
-        const double low = k < i ? sine : cosine;
-        const double high = k < i ? cosine : -sine;
-        for (auto j = static_cast<std::size_t>(k) + 1; j > 0; --j) form[j] = form[j] * low + form[j - 1] * high;
-        form[0] *= low;
-      }
-      for (long j = 0; j <= degree; ++j)
-        result.coefficients.col(j) += form[static_cast<std::size_t>(j)] * curve.coefficients.col(i);
-    }
-  }
-};
-
 template <class Scalar>
-struct RepresentationPencil::Candidate {
-  ParameterChart<Scalar> chart;
-  std::array<Scalar, 2> t{};
-  std::size_t t_variable = 0;
-  double step = 0;
-  double first_step = 0;
-  double distance = 1;
-  double moved = 0;
+struct RepresentationPencil::Candidate : CommonPointGuess<Scalar> {
   bool has_parameters = false;
   NumericState state = NumericState::undetermined;
 };
 
-void RepresentationPencil::Frame::apply(CoordinateRows& rows) const {
-  for (long k = 0; k < 4; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    if (centre[at] != 0) rows.row(k) -= centre[at] * rows.row(3);
-  }
-  for (long k = 0; k < 4; ++k) rows.row(k) /= scale[static_cast<std::size_t>(k)];
-}
-
-/// The point in the middle of the parameters to the origin, where it is far away, and coordinates of equal size.
-RepresentationPencil::Frame RepresentationPencil::frame_of(const SurfaceForms& surface) {
-  Frame frame;
-  const Eigen::Vector4d middle = surface.coefficients.rowwise().sum();
-  CoordinateRows rows = surface.coefficients;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double centre = middle(static_cast<long>(k)) / middle(3);
-    if (!std::isfinite(centre)) continue;
-    // Few digits, so that the subtraction is exact wherever it cancels.
-    constexpr double digits = 0x1p10;
-    const double unit = power_of_two_near(std::abs(centre)) / digits;
-    frame.centre[k] = std::round(centre / unit) * unit;
-  }
-  frame.apply(rows);
-  for (std::size_t k = 0; k < 4; ++k)
-    frame.scale[k] = power_of_two_near(rows.row(static_cast<long>(k)).cwiseAbs().maxCoeff());
-  return frame;
-}
-
 RepresentationPencil::RepresentationPencil(const SurfaceForms& surface) : frame_(), surface_(surface) {
   if (!all_finite(surface.coefficients)) throw InvalidInput("a coefficient of the surface is not finite", "numbers");
-  frame_ = frame_of(surface);
+  frame_ = CoordinateFrame::of(surface);
   frame_.apply(surface_.coefficients);
   prepare(moving_plane_blocks(surface_, moving_plane_degrees(surface_)));
 }
 
 RepresentationPencil::RepresentationPencil(const SurfaceForms& surface, const MovingPlaneBlocks& m)
-    : frame_(frame_of(surface)), surface_(surface) {
+    : frame_(CoordinateFrame::of(surface)), surface_(surface) {
   frame_.apply(surface_.coefficients);
   // x_k = scale_k x'_k + centre_k scale_3 x'_3.
   MovingPlaneBlocks framed = m;
@@ -168,7 +81,7 @@ void RepresentationPencil::prepare(const MovingPlaneBlocks& m) {
   // An orthonormal basis of the moving planes.
   Matrix<double> stacked(4 * rows_, columns_);
   for (long k = 0; k < 4; ++k) stacked.middleRows(k * rows_, rows_) = m.blocks[static_cast<std::size_t>(k)];
-  for (long j = 0; j < columns_; ++j) stacked.col(j) /= power_of_two_near(stacked.col(j).cwiseAbs().maxCoeff());
+  for (long j = 0; j < columns_; ++j) stacked.col(j) /= power_of_two_above(stacked.col(j).cwiseAbs().maxCoeff());
   if (!all_finite(stacked)) throw InvalidInput("an entry of the matrix is not finite", "a matrix representation");
   const Eigen::HouseholderQR<Matrix<double>> qr(stacked);
   const Matrix<double> basis = qr.householderQ() * Matrix<double>::Identity(4 * rows_, columns_);
@@ -219,7 +132,7 @@ void RepresentationPencil::prepare(const MovingPlaneBlocks& m) {
 }
 
 /// The matrix along the turned curve, its leading coefficient factored: smallest over largest pivot.
-double RepresentationPencil::factor_leading(const Turn& turn, Workspace& workspace) const {
+double RepresentationPencil::factor_leading(const ParameterTurn& turn, Workspace& workspace) const {
   turn.apply(workspace.framed, workspace.curve);
   const long degree = workspace.framed.degree();
   workspace.along.resize(rows_ * rows_, degree + 1);
@@ -326,71 +239,6 @@ bool RepresentationPencil::is_spurious(const std::array<Scalar, 4>& point, const
   return square.norm() < surely_zero * scale;
 }
 
-/// Newton's iteration for the parameters of both. It has settled when the step eta, the size beta of the inverse of the
-/// derivative and a bound K of the second derivatives satisfy beta K eta < 1/10, as in the theorem of Newton and
-/// Kantorovich, where the step includes what rounding may do to it.
-template <class Scalar>
-bool RepresentationPencil::polish(const CurveForms& curve, Candidate<Scalar>& candidate) const {
-  constexpr int most_steps = 6;
-  constexpr double settled = 1e-8;
-  constexpr double farthest = 0.5;
-  const auto degrees = static_cast<double>(surface_.degrees[0] + surface_.degrees[1] + curve.degree());
-  const double norms = surface_norm_ * curve.coefficients.norm();
-  candidate.moved = 0;
-  candidate.distance = 1;
-  for (int iteration = 0; iteration < most_steps; ++iteration) {
-    const PointJet<Scalar> surface = jet(surface_, candidate.chart);
-    const PointJet<Scalar> point = jet(curve, candidate.t, candidate.t_variable);
-    const double scale = norm_of(surface.value) * norm_of(point.value);
-    constexpr double nowhere = 1e-11;
-    if (!(scale > nowhere * norms)) return false;
-    std::size_t pivot = 0;
-    for (std::size_t k = 1; k < 4; ++k)
-      if (size_of(point.value[k]) > size_of(point.value[pivot])) pivot = k;
-    std::array<Scalar, 3> value;
-    std::array<std::array<Scalar, 3>, 3> derivative;
-    std::array<std::array<Scalar, 3>, 3> inverse;
-    double distance = 0;
-    std::size_t row = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (k == pivot) continue;
-      value[row] = (surface.value[k] * point.value[pivot] - surface.value[pivot] * point.value[k]) / scale;
-      for (std::size_t a = 0; a < 2; ++a)
-        derivative[row][a] =
-            (surface.derivative[a][k] * point.value[pivot] - surface.derivative[a][pivot] * point.value[k]) / scale;
-      derivative[row][2] =
-          (surface.value[k] * point.derivative[0][pivot] - surface.value[pivot] * point.derivative[0][k]) / scale;
-      distance += std::norm(value[row]);
-      ++row;
-    }
-    // Of the start, and of the last point before it settled.
-    distance = std::min(1.0, 2 * std::sqrt(distance));
-    if (iteration == 0) candidate.distance = distance;
-    if (!invert(derivative, inverse)) return false;
-    double inverse_size = 0;
-    double step = 0;
-    std::array<Scalar, 3> change;
-    for (std::size_t i = 0; i < 3; ++i) {
-      change[i] = inverse[i][0] * value[0] + inverse[i][1] * value[1] + inverse[i][2] * value[2];
-      step = std::max(step, size_of(change[i]));
-      for (const Scalar& entry : inverse[i]) inverse_size += std::norm(entry);
-    }
-    inverse_size = std::sqrt(inverse_size);
-    if (!(step + candidate.moved < farthest)) return false;
-    if (iteration == 0) candidate.first_step = step;
-    candidate.moved += step;
-    candidate.step = step;
-    for (std::size_t a = 0; a < 2; ++a) candidate.chart.values[candidate.chart.variables[a]] -= change[a];
-    candidate.t[candidate.t_variable] -= change[2];
-    const double curvature = degrees * degrees * norms / scale;
-    const double noise = inverse_size * machine_epsilon<double>() * norms / scale;
-    if (step > settled || !(inverse_size * (step + noise) * curvature < 0.1)) continue;
-    candidate.distance = distance;
-    return true;
-  }
-  return false;
-}
-
 /// The smallest singular vector of the whole matrix at a point, by two steps of inverse iteration.
 template <class Scalar>
 void RepresentationPencil::inverse_iteration(const std::array<Scalar, 4>& point, Scalar* vector) const {
@@ -441,7 +289,7 @@ bool RepresentationPencil::solve_eigenvalue(const Workspace& workspace, long ind
     candidate.t = t;
     candidate.t_variable = large ? 1 : 0;
     candidate.has_parameters = true;
-    if (polish(workspace.curve, candidate)) {
+    if (settle_common_point(surface_, surface_norm_, workspace.curve, candidate)) {
       candidate.state = NumericState::converged;
       break;
     }
@@ -468,7 +316,7 @@ bool RepresentationPencil::solve_eigenvalue(const Workspace& workspace, long ind
 
 /// Back to the parameters of the caller.
 template <class Scalar>
-NumericIntersection RepresentationPencil::intersection(const Turn& turn, bool bernstein,
+NumericIntersection RepresentationPencil::intersection(const ParameterTurn& turn, bool bernstein,
                                                        const Candidate<Scalar>& candidate) const {
   NumericIntersection solution;
   std::array<Scalar, 2> t = turn.back(candidate.t);
@@ -494,7 +342,7 @@ NumericIntersection RepresentationPencil::intersection(const Turn& turn, bool be
 }
 
 /// What belongs to the chosen eigenvalues, conjugate ones at once.
-void RepresentationPencil::read_solutions(const Turn& turn, bool bernstein, const Matrix<double>* vectors,
+void RepresentationPencil::read_solutions(const ParameterTurn& turn, bool bernstein, const Matrix<double>* vectors,
                                           Workspace& workspace, NumericIntersections& result) const {
   workspace.real_vector.resize(static_cast<std::size_t>(rows_));
   workspace.complex_vector.resize(static_cast<std::size_t>(rows_));
@@ -530,30 +378,30 @@ double RepresentationPencil::into_frame(const CurveForms& curve, Workspace& work
   if (!all_finite(curve.coefficients)) throw InvalidInput("a coefficient of the curve is not finite", "numbers");
   CurveForms& framed = workspace.framed;
   framed = curve;
-  framed.coefficients /= power_of_two_near(framed.coefficients.cwiseAbs().maxCoeff());
+  framed.coefficients /= power_of_two_above(framed.coefficients.cwiseAbs().maxCoeff());
   frame_.apply(framed.coefficients);
   const double largest = framed.coefficients.cwiseAbs().maxCoeff();
   if (!(largest > 0) || !std::isfinite(largest)) throw InvalidInput("the curve is nowhere", "a curve");
-  framed.coefficients /= power_of_two_near(largest);
+  framed.coefficients /= power_of_two_above(largest);
   const double first = framed.coefficients.col(0).norm();
   const double last = framed.coefficients.col(curve.degree()).norm();
   constexpr double negligible = 0x1p-40;
   if (!(first > negligible) || !(last > negligible)) return 1;
-  return power_of_two_near(std::pow(first / last, 1.0 / static_cast<double>(curve.degree())));
+  return power_of_two_above(std::pow(first / last, 1.0 / static_cast<double>(curve.degree())));
 }
 
 void RepresentationPencil::intersect(const CurveForms& curve, bool real_only, Workspace& workspace,
                                      NumericIntersections& result) const {
   result.solutions.clear();
   result.outcome = NumericOutcome::rank_deficient;
-  Turn turn;
+  ParameterTurn turn;
   turn.scale = into_frame(curve, workspace);
   // Angles that no simple ratio of parameters has.
   constexpr std::array<double, 4> angles{0.91, 1.73, 2.39, 0.17};
   constexpr double well_conditioned = 1e-7;
   constexpr double singular = 1e-11;
   double best = -1;
-  Turn best_turn = turn;
+  ParameterTurn best_turn = turn;
   for (const double angle : angles) {
     turn.cosine = std::cos(angle);
     turn.sine = std::sin(angle);
@@ -591,7 +439,7 @@ void RepresentationPencil::intersect_by_staircase(const CurveForms& curve, const
                                                   NumericIntersections& result) const {
   result.solutions.clear();
   result.outcome = NumericOutcome::not_converged;
-  Turn turn;
+  ParameterTurn turn;
   turn.scale = into_frame(curve, workspace);
   turn.apply(workspace.framed, workspace.curve);
   std::vector<Matrix<double>> along;

@@ -5,6 +5,7 @@
 #include <complex>
 #include <vector>
 
+#include <eliminant/numeric/coordinate_frame.hpp>
 #include <eliminant/numeric/hessenberg_eigenpairs.hpp>
 #include <eliminant/numeric/moving_plane_blocks.hpp>
 #include <eliminant/numeric/rectangular_staircase.hpp>
@@ -92,21 +93,12 @@ class RepresentationPencil {
   long columns() const { return columns_; }
 
  private:
-  /// x'_k = (x_k - centre_k w) / scale_k.
-  struct Frame {
-    std::array<double, 4> centre{};
-    std::array<double, 4> scale{1, 1, 1, 1};
-
-    void apply(CoordinateRows& rows) const;
-  };
-  struct Turn;
   template <class Scalar>
   struct Candidate;
 
-  static Frame frame_of(const SurfaceForms& surface);
   double into_frame(const CurveForms& curve, Workspace& workspace) const;
   void prepare(const MovingPlaneBlocks& m);
-  double factor_leading(const Turn& turn, Workspace& workspace) const;
+  double factor_leading(const ParameterTurn& turn, Workspace& workspace) const;
   void solve_companion(Workspace& workspace) const;
   template <class Scalar>
   ParameterChart<Scalar> read_parameters(const Scalar* vector) const;
@@ -115,18 +107,16 @@ class RepresentationPencil {
   template <class Scalar>
   bool is_spurious(const std::array<Scalar, 4>& point, const Scalar* vector, bool vector_is_best) const;
   template <class Scalar>
-  bool polish(const CurveForms& curve, Candidate<Scalar>& candidate) const;
-  template <class Scalar>
   void inverse_iteration(const std::array<Scalar, 4>& point, Scalar* vector) const;
   template <class Scalar>
   bool solve_eigenvalue(const Workspace& workspace, long index, bool vector_is_known, Scalar* vector,
                         Candidate<Scalar>& candidate) const;
   template <class Scalar>
-  NumericIntersection intersection(const Turn& turn, bool bernstein, const Candidate<Scalar>& candidate) const;
-  void read_solutions(const Turn& turn, bool bernstein, const Matrix<double>* vectors, Workspace& workspace,
+  NumericIntersection intersection(const ParameterTurn& turn, bool bernstein, const Candidate<Scalar>& candidate) const;
+  void read_solutions(const ParameterTurn& turn, bool bernstein, const Matrix<double>* vectors, Workspace& workspace,
                       NumericIntersections& result) const;
 
-  Frame frame_;
+  CoordinateFrame frame_;
   SurfaceForms surface_;  // in the frame
   long rows_ = 0;
   long columns_ = 0;

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <thread>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -270,6 +272,33 @@ TEST_CASE("Pencil in doubles: a line inside the surface has less than full rank,
     CHECK(found.outcome == NumericOutcome::rank_deficient);
     CHECK(found.solutions.empty());
   }
+}
+
+TEST_CASE("Pencil in doubles: threads share one object and find the same") {
+  Uniform uniform(8);
+  const RepresentationPencil pencil(random_patch(uniform, {3, 3}, true));
+  std::vector<CurveForms> lines;
+  for (int i = 0; i < 100; ++i)
+    lines.push_back(line({uniform(), uniform(), uniform(-1, 1), 1}, {uniform(), uniform(), uniform(-1, 1), 1}));
+  const auto solve = [&](std::vector<NumericIntersections>& results) {
+    RepresentationPencil::Workspace workspace;
+    results.resize(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) pencil.intersect(lines[i], false, workspace, results[i]);
+  };
+  std::vector<std::vector<NumericIntersections>> results(4);
+  std::vector<std::thread> threads;
+  for (auto& result : results) threads.emplace_back([&] { solve(result); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& result : results)
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const std::vector<NumericIntersection>& first = results.front()[i].solutions;
+      REQUIRE(result[i].solutions.size() == first.size());
+      for (std::size_t k = 0; k < first.size(); ++k) {
+        const bool same =
+            result[i].solutions[k].t == first[k].t && result[i].solutions[k].parameters == first[k].parameters;
+        CHECK(same);
+      }
+    }
 }
 
 TEST_CASE("Pencil in doubles: what is no problem is refused") {
