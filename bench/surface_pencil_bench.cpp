@@ -26,9 +26,10 @@
 #include <eliminant/bridge/round_representation.hpp>
 #include <eliminant/intersect/surface_pencil.hpp>
 #include <eliminant/numeric/representation_pencil.hpp>
+#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 #include <eliminant/symbolic/elimination/pencil_structure.hpp>
 #include <eliminant/symbolic/elimination/representation_minors.hpp>
-#include <eliminant/symbolic/geometry/bezier.hpp>
+#include <eliminant/symbolic/elimination/squarefree.hpp>
 #include <eliminant/symbolic/matrices/moving_planes.hpp>
 
 namespace {
@@ -350,6 +351,52 @@ void compare_family(const char* name, unsigned long degree, bool base_points, lo
                 method == 0 ? (" + " + std::to_string(std::lround(median(structure_microseconds)))).c_str() : "");
 }
 
+/// The largest chordal distance from an exact root to as many nearest eigenvalues as its multiplicity says.
+void compare_multiple(const char* name, const std::vector<const char*>& surface_texts,
+                      const std::vector<const char*>& curve_texts) {
+  using namespace eliminant;
+  const bool plane = std::strchr(surface_texts[0], 'u') != nullptr;
+  const std::vector<std::string> three{"s", "t", "u"};
+  const std::vector<std::string> two{"s", "t"};
+  std::vector<symbolic::Polynomial> coordinates;
+  for (const char* text : surface_texts) coordinates.push_back(symbolic::parse_polynomial(text, plane ? three : two));
+  const symbolic::RationalSurface surface(
+      plane ? symbolic::RationalSurface::Kind::triangular : symbolic::RationalSurface::Kind::tensor_product,
+      coordinates);
+  std::vector<symbolic::Polynomial> curve_coordinates;
+  for (const char* text : curve_texts)
+    curve_coordinates.push_back(symbolic::parse_polynomial(text, std::vector<std::string>{"t"}));
+  const symbolic::RationalCurve curve = symbolic::rational_curve(curve_coordinates);
+  const symbolic::MatrixRepresentation m = symbolic::matrix_representation(surface);
+  const Context context;
+  const symbolic::ParameterForm minors = symbolic::minors_on_curve(m, curve, 0, context);
+  const RepresentationPencil pencil(bridge::round_surface(surface), bridge::round_representation(m, surface.kind()));
+  const symbolic::PencilStructure structure = symbolic::pencil_structure_modulo(m, curve, 0);
+  RepresentationPencil::Workspace workspace;
+  std::array<NumericIntersections, 2> found;
+  pencil.intersect_by_staircase(bridge::round_curve(curve), structure.column_steps, structure.row_steps, workspace,
+                                found[0]);
+  pencil.intersect(bridge::round_curve(curve), false, workspace, found[1]);
+  for (const symbolic::SquarefreeFactor& part : symbolic::squarefree_decomposition(minors.finite)) {
+    if (part.multiplicity < 2 || part.factor.degree() < 1) continue;
+    std::array<double, 2> errors{};
+    for (const bridge::ComplexBall& ball : bridge::enclose_roots(part.factor, 60, context)) {
+      const std::complex<double> root(arf_get_d(arb_midref(ball.real()), ARF_RND_NEAR),
+                                      arf_get_d(arb_midref(ball.imaginary()), ARF_RND_NEAR));
+      for (std::size_t method = 0; method < 2; ++method) {
+        std::vector<double> distances;
+        for (const NumericIntersection& s : found[method].solutions)
+          distances.push_back(std::abs(s.t[0] - root * s.t[1]) /
+                              std::sqrt((std::norm(s.t[0]) + std::norm(s.t[1])) * (1 + std::norm(root))));
+        std::sort(distances.begin(), distances.end());
+        const bool enough = distances.size() >= part.multiplicity;
+        errors[method] = std::max(errors[method], enough ? distances[part.multiplicity - 1] : 1.0);
+      }
+    }
+    std::printf("| %s | %lu | %.1e | %.1e |\n", name, part.multiplicity, errors[0], errors[1]);
+  }
+}
+
 void compare() {
   std::printf("| pair | matrix | method | converged | others | error, median | largest | us |\n");
   std::printf("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
@@ -361,6 +408,17 @@ void compare() {
   compare_family("cubic, Steiner", 2, false, 3);
   compare_family("line, triangular of degree 3", 3, false, 1);
   compare_family("cubic, the same", 3, false, 3);
+  std::printf("\n| pair | multiplicity | staircase | projection |\n| --- | --- | --- | --- |\n");
+  const std::vector<const char*> torus{"-s^2*t^2 - 3*s^2 + t^2 + 3", "2*s*t^2 + 6*s", "2*s^2*t + 2*t",
+                                       "s^2*t^2 + s^2 + t^2 + 1"};
+  compare_multiple("example 1 of the paper, triple points",
+                   {"s^3 + t^2*u", "s^2*t + t^2*u", "s^3 + t^3", "s^2*u + t^2*u"}, {"1", "t", "t^2", "t^3"});
+  compare_multiple("example 3, an embedded point", {"s^2 + t^2 + u^2", "2*s*u", "2*s*t", "s^2 - t^2 - u^2"},
+                   {"1", "0", "0", "t"});
+  compare_multiple("torus, line touching in two points", torus, {"t", "0", "1", "1"});
+  compare_multiple("torus, line touching in one", torus, {"1", "t", "0", "1"});
+  compare_multiple("cone, line through the apex", {"-s^2*t + t", "2*s*t", "s^2*t + t", "s^2 + 1"},
+                   {"t", "0", "0", "1"});
 }
 
 }  // namespace
