@@ -78,8 +78,9 @@ class RepresentationPencil {
   /// With a representation of the surface that is known.
   RepresentationPencil(const SurfaceForms& surface, const MovingPlaneBlocks& m);
 
-  /// All eigenvalues of the curve, or the real ones alone; conjugate ones stand side by side. Throws InvalidInput when
-  /// a coefficient is not finite, the curve is a point, or its degree exceeds largest_numeric_degree.
+  /// All eigenvalues of the curve, or those alone that come out real (a double one may not); conjugate ones stand side
+  /// by side. Throws InvalidInput when a coefficient is not finite, the curve is a point, or its degree exceeds
+  /// largest_numeric_degree.
   void intersect(const CurveForms& curve, bool real_only, Workspace& workspace, NumericIntersections& result) const;
 
   /// The same from the regular part of the companion pencil of the whole matrix, [LuuBuseMourrain2009], section 3.3:

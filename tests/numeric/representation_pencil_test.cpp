@@ -259,6 +259,41 @@ TEST_CASE("Pencil in doubles: hard lines give finite numbers, and never claim a 
   CHECK(simple_tangent == 0);
 }
 
+TEST_CASE("Pencil in doubles: points that stand for a base point are found and not claimed") {
+  Uniform uniform(9);
+  RepresentationPencil::Workspace workspace;
+  NumericIntersections found;
+  for (int i = 0; i < 50; ++i) {
+    CAPTURE(i);
+    // All coordinates vanish at s = t = 0: the surface has degree 7 and contains the line of the values in its limit.
+    SurfaceForms surface;
+    surface.degrees = {2, 2};
+    surface.coefficients.resize(4, 9);
+    for (long k = 0; k < surface.coefficients.size(); ++k) surface.coefficients(k) = uniform(-1, 1);
+    surface.coefficients.col(0).setZero();
+    const RepresentationPencil pencil(surface);
+    CHECK(pencil.rows() == 8);
+    CHECK(pencil.columns() == 9);
+    CurveForms curve;
+    curve.coefficients.resize(4, 2);
+    curve.coefficients << uniform(-1, 1) * surface.coefficients.col(1) + uniform(-1, 1) * surface.coefficients.col(3),
+        Point(uniform(), uniform(), uniform(), uniform());
+    pencil.intersect(curve, false, workspace, found);
+    REQUIRE(found.outcome == NumericOutcome::solved);
+    std::size_t at_base_point = 0;
+    std::size_t elsewhere = 0;
+    for (const NumericIntersection& s : found.solutions) {
+      CHECK(is_finite(s));
+      if (s.state == NumericState::converged) ++elsewhere;
+      if (std::abs(s.t[0]) > 1e-6 * std::abs(s.t[1])) continue;
+      ++at_base_point;
+      CHECK(s.state == NumericState::undetermined);
+    }
+    CHECK(at_base_point == 1);
+    CHECK(elsewhere == 6);
+  }
+}
+
 TEST_CASE("Pencil in doubles: a line inside the surface has less than full rank, and nothing is said of it") {
   Uniform uniform(6);
   RepresentationPencil::Workspace workspace;
