@@ -129,7 +129,9 @@ void count_differences(const FoundParameters& truth, const FoundParameters& foun
       }
     if (!covered) ++summary.lost;
   }
-  for (const auto& [begin, end] : truth.stretches) {
+  for (const std::array<double, 2>& stretch : truth.stretches) {
+    const double begin = stretch[0];
+    const double end = stretch[1];
     bool covered = false;
     for (std::size_t k = 0; k < found.stretches.size(); ++k)
       if (found.stretches[k][0] < end && begin < found.stretches[k][1]) {

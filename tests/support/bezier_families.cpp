@@ -412,13 +412,15 @@ bool has_positive_weights(const RationalPolygon& polygon) {
   return std::all_of(polygon.begin(), polygon.end(), [](const ControlPoint& point) { return point.back().sign() > 0; });
 }
 
+enum class Place { inner, border, end };
+
 /// A cubic, by its Taylor polynomial.
-Contact contact_at_dyadic(Drawing drawing, unsigned long order) {
+Contact contact_at_dyadic(Drawing drawing, unsigned long order, Place place = Place::inner) {
   for (;;) {
     const RationalNet net = drawing.net(3, 3);
     const Map patch = patch_map(net);
-    const Rational t0 = eighth(drawing.random);
-    const Rational u0 = eighth(drawing.random);
+    const Rational t0 = place == Place::end ? Rational(drawing.random.between(0, 1)) : eighth(drawing.random);
+    const Rational u0 = place == Place::border ? Rational(drawing.random.between(0, 1)) : eighth(drawing.random);
     const Rational v0 = eighth(drawing.random);
     const Rational slope_u = fraction(drawing.random.nonzero(4), 4);
     const Rational slope_v = fraction(drawing.random.nonzero(4), 4);
@@ -634,6 +636,15 @@ void add_contacts(Collection& all) {
           [&](Random& r) { return case_of({}, contact_at_dyadic(drawing(r, 256, false, false), 2), false); });
   all.add(order_3, 17,
           [&](Random& r) { return case_of({}, contact_at_dyadic(drawing(r, 256, false, false), 3), false); });
+  for (const unsigned long order : {2UL, 3UL}) {
+    const std::string of_order = "contact of order " + std::to_string(order);
+    all.add(of_order + " on a border", 8, [&](Random& r) {
+      return case_of({}, contact_at_dyadic(drawing(r, 256, false, false), order, Place::border), false);
+    });
+    all.add(of_order + " at an end", 8, [&](Random& r) {
+      return case_of({}, contact_at_dyadic(drawing(r, 256, false, false), order, Place::end), false);
+    });
+  }
   all.add("rational contact of order 2", 8,
           [&](Random& r) { return case_of({}, contact_at_dyadic(drawing(r, 64, true, false), 2), false); });
   all.add("rational contact of order 3", 8,
