@@ -4,6 +4,7 @@
 // (support/bezier_families): the engines as each other's oracle, what was planted, invariance, and elimination by
 // another way. By default the dear checks see a part of each family;
 //   ELIMINANT_ALL_FAMILIES   set: every check of every case
+//   ELIMINANT_FAMILY         the name of the only family to check
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -29,6 +30,11 @@ namespace {
 
 bool all_families() {
   return std::getenv("ELIMINANT_ALL_FAMILIES") != nullptr;  // NOLINT(concurrency-mt-unsafe)
+}
+
+std::string only_family() {
+  const char* const name = std::getenv("ELIMINANT_FAMILY");  // NOLINT(concurrency-mt-unsafe)
+  return name == nullptr ? "" : name;
 }
 
 /// One of so many cases of a family gets the dear checks.
@@ -273,7 +279,7 @@ struct Tally {
 
 Tally check_families(bool in_plane) {
   Tally tally;
-  for (const BezierCase& bezier : bezier_cases()) {
+  for (const BezierCase& bezier : bezier_cases(only_family())) {
     if (bezier.in_plane() != in_plane) continue;
     INFO(bezier.family, " ", bezier.index, ": ", problem_json(bezier));
     const CurveResult answer = check_answer(bezier);
@@ -303,12 +309,14 @@ Tally check_families(bool in_plane) {
 
 TEST_CASE("Bezier families: curves against patches") {
   const Tally tally = check_families(false);
+  if (!only_family().empty()) return;
   CHECK(tally.cases >= 350);
   CHECK(tally.multiple >= 90);
 }
 
 TEST_CASE("Bezier families: plane curves") {
   const Tally tally = check_families(true);
+  if (!only_family().empty()) return;
   CHECK(tally.cases >= 200);
   CHECK(tally.multiple >= 50);
 }
@@ -341,4 +349,22 @@ TEST_CASE("Bezier families: a contact pushed off becomes no point or two, of ord
     CHECK(both[0] == (orders[key] == 2 ? 0 : 1));
     CHECK(both[1] == (orders[key] == 2 ? 2 : 1));
   }
+}
+
+TEST_CASE("Bezier families: the oracle excludes no solution, and counts the roots of a known polynomial") {
+  for (const std::string family : {"contact of order 2", "plane contact of order 3", "through a corner"}) {
+    CAPTURE(family);
+    for (const BezierCase& bezier : bezier_cases(family)) {
+      const auto& line = bezier.planted.front().polynomial;
+      const Rational t(symbolic::Integer(-line[0]), symbolic::Integer(line[1]));
+      CHECK_FALSE(proven_apart(bezier, bridge::RealBall(t, check_bits)));
+      CHECK(proven_apart(bezier, bridge::RealBall(t + power_of_two(-20), check_bits)));
+    }
+  }
+  // t (2 t - 1) (t - 1) (4 t - 3) (t + 1) (t^2 + 1): 1/2 and 3/4 lie inside.
+  UnivariatePolynomial product({symbolic::Integer(1)});
+  for (const auto& factor :
+       std::vector<std::vector<symbolic::Integer>>{{0, 1}, {-1, 2}, {-1, 1}, {-3, 4}, {1, 1}, {1, 0, 1}})
+    product = product * UnivariatePolynomial(factor);
+  CHECK(sturm_count_in_unit_interval(product) == 2);
 }

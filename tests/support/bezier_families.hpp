@@ -14,7 +14,7 @@ namespace eliminant::test {
 /// q the minimal polynomial of the parameter and k the order.
 std::vector<BezierCase> bezier_cases();
 
-/// Those of one family.
+/// Those of one family; all where the name is empty.
 std::vector<BezierCase> bezier_cases(const std::string& family);
 
 /// With the parameter 1 - t on the (first) curve.
