@@ -2,6 +2,7 @@
 #include <eliminant/symbolic/elimination/simplex_interpolation.hpp>
 
 #include <numeric>
+#include <utility>
 
 namespace eliminant::symbolic {
 
@@ -24,22 +25,29 @@ void add_points(Lattice& lattice, std::vector<unsigned long>& point, std::size_t
 
 /// For each line of the lattice in the direction of one axis, the positions of its points, from 0 upwards.
 std::vector<std::vector<std::size_t>> lines_along(const Lattice& lattice, std::size_t axis, unsigned long degree) {
-  // Positions in a cube of (degree + 1)^m points.
+  // Positions in a cube of (degree + 1)^m points; one step along the axis is a stride there.
   const std::size_t side = degree + 1;
   const auto cell = [&](const std::vector<unsigned long>& point) {
     return std::accumulate(point.begin(), point.end(), std::size_t{0},
                            [&](std::size_t sum, unsigned long i) { return sum * side + i; });
   };
   std::size_t cells = 1;
-  for (std::size_t k = 0; k < lattice.front().size(); ++k) cells *= side;
+  std::size_t stride = 1;
+  for (std::size_t k = 0; k < lattice.front().size(); ++k) {
+    cells *= side;
+    if (k > axis) stride *= side;
+  }
   std::vector<std::size_t> position(cells);
   for (std::size_t i = 0; i < lattice.size(); ++i) position[cell(lattice[i])] = i;
   std::vector<std::vector<std::size_t>> lines;
-  for (std::vector<unsigned long> point : lattice) {
+  for (const std::vector<unsigned long>& point : lattice) {
     if (point[axis] != 0) continue;
+    const std::size_t first = cell(point);
     const unsigned long length = degree - std::accumulate(point.begin(), point.end(), 0UL);
-    std::vector<std::size_t>& line = lines.emplace_back();
-    for (point[axis] = 0; point[axis] <= length; ++point[axis]) line.push_back(position[cell(point)]);
+    std::vector<std::size_t> line;
+    line.reserve(length + 1);
+    for (unsigned long i = 0; i <= length; ++i) line.push_back(position[first + i * stride]);
+    lines.push_back(std::move(line));
   }
   return lines;
 }
@@ -56,8 +64,8 @@ std::vector<std::vector<unsigned long>> simplex_lattice(std::size_t dimension, u
 std::vector<mp_limb_t> interpolate_on_simplex(const PrimeField& field, const std::vector<mp_limb_t>& origin,
                                               unsigned long degree, const std::vector<mp_limb_t>& values) {
   const Lattice lattice = simplex_lattice(origin.size(), degree);
-  std::vector<mp_limb_t> inverses(degree + 1, 0);
-  for (unsigned long i = 1; i <= degree; ++i) inverses[i] = field.inverse(i);
+  std::vector<mp_limb_t> inverses{0};
+  for (unsigned long i = 1; i <= degree; ++i) inverses.push_back(field.inverse(i));
   std::vector<mp_limb_t> result = values;
   std::vector<std::vector<std::vector<std::size_t>>> lines;
   for (std::size_t axis = 0; axis < origin.size(); ++axis) {
