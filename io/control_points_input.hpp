@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <eliminant/base/error.hpp>
 #include <eliminant/io/json_fields.hpp>
 #include <eliminant/symbolic/geometry/nurbs.hpp>
 
@@ -30,6 +31,18 @@ std::vector<symbolic::Rational> numbers_from_json(const JsonFields& fields, cons
 /// The numbers of one control point, `lowest` to 4 of them.
 std::vector<symbolic::Rational> point_from_json(const JsonFields& fields, const JsonValue& value, std::size_t lowest);
 
+/// A form with one degree and one list of control points.
+struct PointList {
+  std::size_t degree;
+  const JsonValue& points;
+};
+
+/// {"degree": d, "control_points": [...]} under `name` of `value`, with as many points as count_of(d) says. `what` is
+/// "a curve" or so, `count_in_words` the number of its points.
+template <class Count>
+PointList point_list_from_json(const JsonFields& fields, const JsonValue& value, const std::string& name,
+                               const std::string& what, const std::string& count_in_words, Count count_of);
+
 /// The coordinates of a point followed by its weight, as a control point with the weight multiplied in.
 symbolic::ControlPoint with_own_weight(std::vector<symbolic::Rational> numbers);
 
@@ -47,5 +60,21 @@ void require_few_points(const JsonFields& fields, const JsonValue& value, std::s
 void require_moderate_size(const JsonFields& fields, const JsonValue& value,
                            std::span<const symbolic::ControlPoint> points, std::span<const symbolic::Rational> knots,
                            std::size_t degree, std::size_t coefficients);
+
+template <class Count>
+PointList point_list_from_json(const JsonFields& fields, const JsonValue& value, const std::string& name,
+                               const std::string& what, const std::string& count_in_words, Count count_of) {
+  const JsonValue& form = fields.member(value, name);
+  fields.require_object(form, "\"" + name + "\"", {"degree", "control_points"});
+  const std::size_t degree =
+      degree_from_json(fields, fields.member(form, "degree", "a whole number"), "the degree of " + what);
+  const JsonValue& list = fields.member(form, "control_points", count_in_words + " points");
+  const std::size_t count = fields.array(list, "\"control_points\"").size();
+  if (count != count_of(degree))
+    throw InvalidInput(std::to_string(count) + " control points for " + what + " of degree " + std::to_string(degree),
+                       std::to_string(count_of(degree)) + " points", fields.document().place_of(list));
+  require_few_points(fields, list, count);
+  return {degree, list};
+}
 
 }  // namespace eliminant::io

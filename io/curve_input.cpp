@@ -112,17 +112,11 @@ class CurveReader {
 
   ParametricCurve bezier(const JsonValue& value) {
     fields_.require_object(value, what_, {"bezier"});
-    const JsonValue& form = fields_.member(value, "bezier");
-    fields_.require_object(form, "\"bezier\"", {"degree", "control_points"});
-    const std::size_t degree =
-        degree_from_json(fields_, fields_.member(form, "degree", "a whole number"), "the degree of a curve");
-    const JsonValue& list = fields_.member(form, "control_points", "degree + 1 points");
-    const std::size_t count = fields_.array(list, "\"control_points\"").size();
-    if (count != degree + 1)
-      throw InvalidInput(std::to_string(count) + " control points for degree " + std::to_string(degree),
-                         std::to_string(degree + 1) + " points", place(list));
+    const PointList net = point_list_from_json(fields_, value, "bezier", "a curve", "degree + 1",
+                                               [](std::size_t degree) { return degree + 1; });
+    const JsonValue& list = net.points;
     const std::vector<ControlPoint> points = control_points(list, nullptr);
-    require_moderate_size(fields_, list, points, {}, degree, 4 * count);
+    require_moderate_size(fields_, list, points, {}, net.degree, 4 * points.size());
     ParametricCurve curve;
     curve.pieces.push_back(placed(place(list), [&] { return symbolic::bezier_curve(points); }));
     return curve;
@@ -137,8 +131,9 @@ class CurveReader {
     const JsonValue& list = fields_.member(form, "control_points", "an array of points");
     const std::size_t count = fields_.array(list, "\"control_points\"").size();
     if (count < knots.degree + 1)
-      throw InvalidInput(std::to_string(count) + " control points for degree " + std::to_string(knots.degree),
-                         "at least " + std::to_string(knots.degree + 1) + " points", place(list));
+      throw InvalidInput(
+          std::to_string(count) + " control points for a curve of degree " + std::to_string(knots.degree),
+          "at least " + std::to_string(knots.degree + 1) + " points", place(list));
     require_few_points(fields_, list, count);
     const JsonValue& knot_list = fields_.member(form, "knots", "control points + degree + 1 knots");
     knots.knots = numbers_from_json(fields_, knot_list, "\"knots\"", "a knot");

@@ -192,20 +192,14 @@ class SurfaceReader {
 
   SurfacePiece triangle(const JsonValue& value) const {
     fields_.require_object(value, what_, {"triangle"});
-    const JsonValue& form = fields_.member(value, "triangle");
-    fields_.require_object(form, "\"triangle\"", {"degree", "control_points"});
-    const std::size_t degree =
-        degree_from_json(fields_, fields_.member(form, "degree", "a whole number"), "the degree of a triangle");
-    const JsonValue& list = fields_.member(form, "control_points", "(degree + 1)(degree + 2)/2 points");
-    const std::size_t count = fields_.array(list, "\"control_points\"").size();
-    if (count != symbolic::triangle_point_count(degree))
-      throw InvalidInput(std::to_string(count) + " control points for a triangle of degree " + std::to_string(degree),
-                         std::to_string(symbolic::triangle_point_count(degree)) + " points", place(list));
-    require_few_points(fields_, list, count);
+    const PointList net = point_list_from_json(fields_, value, "triangle", "a triangle", "(degree + 1)(degree + 2)/2",
+                                               symbolic::triangle_point_count);
+    const std::size_t degree = net.degree;
+    const JsonValue& list = net.points;
     std::vector<ControlPoint> points;
     for (const JsonValue& element : list.elements) points.push_back(weighted(element, 1));
     require_a_weight(fields_, list, points);
-    require_moderate_size(fields_, list, points, {}, degree, 4 * count);
+    require_moderate_size(fields_, list, points, {}, degree, 4 * points.size());
     return placed(place(list), [&] { return symbolic::bezier_triangle(degree, points); });
   }
 

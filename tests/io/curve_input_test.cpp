@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include <eliminant/io/curve_input.hpp>
-#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 #include <io/bad_geometry.hpp>
+#include <io/geometry_text.hpp>
 
 using namespace eliminant;
 using namespace eliminant::io;
@@ -14,18 +13,10 @@ using symbolic::Rational;
 
 namespace {
 
-intersect::Curve read(const std::string& text) {
-  const JsonDocument document(text);
-  return read_curve(JsonFields(document), document.root(), "\"curve\"");
-}
-
-ParametricCurve parametric(const std::string& text) { return std::get<ParametricCurve>(read(text)); }
+ParametricCurve parametric(const std::string& text) { return std::get<ParametricCurve>(test::curve_from(text)); }
 
 bool is_map(const symbolic::RationalCurve& map, const std::vector<std::string>& texts) {
-  std::vector<symbolic::Polynomial> coordinates;
-  for (const std::string& text : texts)
-    coordinates.push_back(symbolic::parse_polynomial(text, std::vector<std::string>{"t"}));
-  return map.coordinates() == symbolic::rational_curve(coordinates).coordinates();
+  return map.coordinates() == symbolic::rational_curve(test::polynomials(texts, {"t"})).coordinates();
 }
 
 }  // namespace
@@ -75,7 +66,7 @@ TEST_CASE("read_curve: pieces in sequence, and an equation") {
     {"parameter": "t", "x": "t", "y": "0", "domain": [0, 1]},
     {"parameter": "t", "x": "1", "y": "t - 1", "domain": [1, 2]}]})");
   CHECK(pieces.pieces.size() == 2);
-  const intersect::Curve circle = read(R"({"implicit": "x^2 + y^2 - 1"})");
+  const intersect::Curve circle = test::curve_from(R"({"implicit": "x^2 + y^2 - 1"})");
   CHECK(std::get<intersect::ImplicitCurve>(circle).equation.total_degree() == 2);
 }
 
@@ -109,8 +100,8 @@ TEST_CASE("curves: kind, place, message and expectation of every bad input") {
   const auto curve_surface = [](const std::string& curve) {
     return "{\"problem\": \"curve_surface\", \"surface\": {\"implicit\": \"z\"}, \"curve\":\n" + curve + "}";
   };
-  const auto bezier = [&](const std::string& fields) { return curve_surface("{\"bezier\": {" + fields + "}}"); };
-  const auto nurbs = [&](const std::string& fields) { return curve_surface("{\"nurbs\": {" + fields + "}}"); };
+  const auto bezier = test::under("bezier", curve_surface);
+  const auto nurbs = test::under("nurbs", curve_surface);
   const auto first_of_two = [](const std::string& curve) {
     return "{\"problem\": \"curve_curve\", \"second\": {\"implicit\": \"x\"}, \"first\":\n" + curve + "}";
   };
@@ -175,7 +166,7 @@ TEST_CASE("curves: kind, place, message and expectation of every bad input") {
        "a whole number"},
       {"degree beyond the limit", bezier("\"degree\": 1001, " + cubic), limit, 2, 23, "1001, beyond the limit", ""},
       {"degree far beyond", bezier("\"degree\": 99999999999999999999, " + cubic), limit, 2, 23, "beyond the limit", ""},
-      {"too few points", bezier("\"degree\": 4, " + cubic), invalid, 2, 44, "4 control points for degree 4",
+      {"too few points", bezier("\"degree\": 4, " + cubic), invalid, 2, 44, "4 control points for a curve of degree 4",
        "5 points"},
       {"weights of bezier", bezier("\"degree\": 3, \"weights\": []"), invalid, 2, 26, "unknown field \"weights\"",
        "degree, control_points"},
@@ -200,7 +191,7 @@ TEST_CASE("curves: kind, place, message and expectation of every bad input") {
       {"points in the plane", bezier("\"degree\": 1, \"control_points\": [[1,2], [1,3]]"), invalid, 2, 1,
        "\"curve\" is a plane curve", "a space curve"},
       {"too many digits", bezier("\"degree\": 3, \"control_points\": [[0,0,\"1e-1000001\"]]"), invalid, 2, 44,
-       "1 control points for degree 3", ""},
+       "1 control points for a curve of degree 3", ""},
       {"long exponent", bezier("\"degree\": 1, \"control_points\": [[0,0,1e-1000001], [1,1,1]]"), limit, 2, 50,
        "exponent", ""},
       // NURBS curves.
@@ -218,7 +209,7 @@ TEST_CASE("curves: kind, place, message and expectation of every bad input") {
       {"multiple knot", nurbs("\"degree\": 1, \"knots\": [0,0,1,1,1,2], " + cubic), invalid, 2, 34,
        "a knot occurs more than 2 times", "degree + 1"},
       {"few points", nurbs("\"degree\": 4, \"knots\": [0,0,1,1], " + cubic), invalid, 2, 63,
-       "4 control points for degree 4", "at least 5"},
+       "4 control points for a curve of degree 4", "at least 5"},
       {"too few weights", nurbs("\"degree\": 3, \"knots\": [0,0,0,0,1,1,1,1], \"weights\": [1,2,1], " + cubic), invalid,
        2, 64, "3 weights for 4 control points", "a weight for each"},
       {"weights twice",

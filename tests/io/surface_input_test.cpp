@@ -3,9 +3,8 @@
 
 #include <array>
 
-#include <eliminant/io/surface_input.hpp>
-#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 #include <io/bad_geometry.hpp>
+#include <io/geometry_text.hpp>
 
 using namespace eliminant;
 using namespace eliminant::io;
@@ -17,20 +16,13 @@ using symbolic::RationalSurface;
 
 namespace {
 
-intersect::Surface read(const std::string& text) {
-  const JsonDocument document(text);
-  return read_surface(JsonFields(document), document.root(), "\"surface\"");
-}
-
-ParametricSurface parametric(const std::string& text) { return std::get<ParametricSurface>(read(text)); }
+ParametricSurface parametric(const std::string& text) { return std::get<ParametricSurface>(test::surface_from(text)); }
 
 bool is_map(const RationalSurface& map, const std::vector<std::string>& texts) {
   const std::vector<std::string> names = map.kind() == RationalSurface::Kind::triangular
                                              ? std::vector<std::string>{"s", "t", "u"}
                                              : std::vector<std::string>{"s", "t"};
-  std::vector<symbolic::Polynomial> coordinates;
-  for (const std::string& text : texts) coordinates.push_back(symbolic::parse_polynomial(text, names));
-  return map.coordinates() == coordinates;
+  return map.coordinates() == test::polynomials(texts, names);
 }
 
 }  // namespace
@@ -81,7 +73,7 @@ TEST_CASE("read_surface: NURBS surfaces are cut at their knots, pieces are read 
 }
 
 TEST_CASE("read_surface: an equation in x, y, z") {
-  const intersect::Surface sphere = read(R"({"implicit": "x^2 + y^2 + z^2 - 1"})");
+  const intersect::Surface sphere = test::surface_from(R"({"implicit": "x^2 + y^2 + z^2 - 1"})");
   CHECK(std::get<intersect::ImplicitSurface>(sphere).equation.variable_count() == 3);
 }
 
@@ -92,9 +84,9 @@ TEST_CASE("surfaces: kind, place, message and expectation of every bad input") {
            "\"surface\":\n" +
            surface + "}";
   };
-  const auto bezier = [&](const std::string& fields) { return with_surface("{\"bezier\": {" + fields + "}}"); };
-  const auto triangle = [&](const std::string& fields) { return with_surface("{\"triangle\": {" + fields + "}}"); };
-  const auto nurbs = [&](const std::string& fields) { return with_surface("{\"nurbs\": {" + fields + "}}"); };
+  const auto bezier = test::under("bezier", with_surface);
+  const auto triangle = test::under("triangle", with_surface);
+  const auto nurbs = test::under("nurbs", with_surface);
   const std::string square = "\"control_points\": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,1]]]";
   const std::string saddle = "{\"parameters\": [\"s\",\"t\"], \"x\": \"s\", \"y\": \"t\", \"z\": \"s*t\"";
   const std::string forms = "{\"parameters\": [\"s\",\"t\",\"u\"], ";
