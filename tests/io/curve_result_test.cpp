@@ -321,3 +321,88 @@ TEST_CASE("curve_result_text: empty lists are said in words, and a limit too") {
   CHECK(contains(limited, "\nFound so far: 0 solutions; the rest is not known.\n"));
   CHECK(contains(limited, "\nNo solutions are listed.\n"));
 }
+
+namespace {
+
+// An isolated point, a cusp and a pair through infinity, of a closed curve.
+CurveResult curve_with_itself() {
+  CurveResult result;
+  result.problem = "self_intersection";
+  result.in_plane = true;
+  result.status = Status::certified;
+  result.counts = {.distinct = 3, .real = 3, .inside = 2, .with_multiplicity = 4, .expected = 4, .listed = 3};
+  const auto pair = [](const Parameter& t, const Parameter& u, intersect::PairKind kind, unsigned long multiplicity) {
+    CurveSolution solution;
+    solution.t = t;
+    solution.u = u;
+    solution.kind = kind;
+    solution.point = {number("1"), number("2"), number("1")};
+    solution.multiplicity = multiplicity;
+    solution.inside = kind != intersect::PairKind::isolated;
+    solution.radius_exponent = -15;
+    solution.reality = Reality::real;
+    solution.certified = true;
+    return solution;
+  };
+  result.solutions = {pair(number("0.5", "-1"), number("0.5", "1"), intersect::PairKind::isolated, 1),
+                      pair(number("2"), number("2"), intersect::PairKind::cusp, 2),
+                      pair(number("3"), infinity, intersect::PairKind::crossing, 1)};
+  result.singular_points = {
+      {result.solutions[0].point, {number("0.5", "-1"), number("0.5", "1"), number("7")}, Reality::real, 3}};
+  result.closed = true;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("curve_result_json: of a curve with itself kinds, points, and that it is closed") {
+  const std::string json = curve_result_json(curve_with_itself(), std::nullopt);
+  CHECK(contains(json, R"("problem": "self_intersection")"));
+  CHECK(contains(json, R"("t": ["0.5", "-1"],)"));
+  CHECK(contains(json, R"("kind": "isolated")"));
+  CHECK(contains(json, R"("kind": "cusp")"));
+  CHECK(contains(json, R"("u": "inf")"));
+  CHECK(contains(json, R"("parameters": [["0.5", "-1"], ["0.5", "1"], ["7", "0"]])"));
+  CHECK(contains(json, R"("closed": true)"));
+  CHECK(contains(json, R"("covering": 1)"));
+  CurveResult by_equation = curve_with_itself();
+  by_equation.first_implicit = true;
+  for (CurveSolution& solution : by_equation.solutions) {
+    solution.t.reset();
+    solution.u.reset();
+    solution.kind.reset();
+  }
+  const std::string plain = curve_result_json(by_equation, std::nullopt);
+  CHECK(contains(plain, R"("kind": null)"));
+  for (const char* field : {"\"t\"", "\"u\"", "singular_points", "closed", "covering"})
+    CHECK_FALSE(contains(plain, field));
+}
+
+TEST_CASE("curve_result_csv: of a curve with itself the last column is the kind") {
+  const std::string csv = curve_result_csv(curve_with_itself());
+  CHECK(csv.starts_with(
+      "t_re,t_im,u_re,u_im,x_re,x_im,y_re,y_im,w_re,w_im,radius,real,multiplicity,inside,certified,kind\n"));
+  CHECK(contains(csv, "\n0.5,-1,0.5,1,1,0,2,0,1,0,1e-15,true,1,false,true,isolated\n"));
+  CHECK(contains(csv, "\n3,0,inf,0,1,0,2,0,1,0,1e-15,true,1,true,true,crossing\n"));
+}
+
+TEST_CASE("curve_result_text: a real point shows its conjugate parameters, and points of many parameters a sentence") {
+  const std::string text = curve_result_text(curve_with_itself(), {});
+  CHECK(contains(text, "0.5 - 1i"));
+  CHECK(contains(text, "isolated"));
+  CHECK(contains(text, "One point has the parameters 0.5 - 1i, 0.5 + 1i, 7; its pairs have multiplicity 3 in all.\n"));
+  CHECK(contains(text, "The curve is closed"));
+  CurveResult none = curve_with_itself();
+  none.solutions.clear();
+  none.singular_points.clear();
+  none.counts = {};
+  CHECK(contains(curve_result_text(none, {}), "The curve does not meet itself."));
+  Overlap folded;
+  folded.t = folded.u = ParameterInterval{number("-1"), number("1")};
+  folded.certified = true;
+  none.overlap = {folded};
+  none.covering = 2;
+  none.status = Status::infinite;
+  CHECK(contains(curve_result_text(none, {}), "2 times"));
+  CHECK(contains(curve_result_text(none, {}), "-1 <= t <= 1, -1 <= u <= 1"));
+}

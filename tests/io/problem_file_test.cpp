@@ -167,6 +167,8 @@ TEST_CASE("echo_problem: curves and surfaces are read back unchanged") {
   texts.push_back(R"({"problem": "curve_curve", "first": )" + spline + R"(, "second": )" + curve + "}");
   texts.push_back(R"({"problem": "curve_curve", "id": 3, "first": {"implicit": "x*y-1"},
     "second": {"bezier": {"degree": 1, "control_points": [[0, 0], [1, 1]]}}})");
+  for (const std::string& c : {curve, cubic, spline, std::string(R"({"implicit": "y^2-x^3"})")})
+    texts.push_back(R"({"problem": "self_intersection", "curve": )" + c + "}");
   for (const std::string& text : texts) {
     CAPTURE(text);
     const std::string echo = echo_problem(read(text), {});
