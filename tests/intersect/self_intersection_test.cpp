@@ -6,6 +6,7 @@
 #include <set>
 
 #include <eliminant/intersect/self_intersection.hpp>
+#include <eliminant/symbolic/elimination/implicit_equation.hpp>
 #include <eliminant/symbolic/geometry/nurbs.hpp>
 #include <intersect/curve_helpers.hpp>
 #include <support/curves.hpp>
@@ -245,6 +246,48 @@ TEST_CASE("self_intersection: random plane maps satisfy the delta audit, whateve
     check_delta(other, degree);
     CHECK(kinds(other) == kinds(result));
   }
+}
+
+TEST_CASE("self_intersection: the Milnor numbers of the equation are 2 delta - branches + 1, point by point") {
+  // Coefficients from -1 to 1: many cusps, contacts and multiple points, at infinity too.
+  Draw draw(611);
+  int compared = 0;
+  int cusps = 0;
+  int larger = 0;
+  for (int run = 0; run < 80; ++run) {
+    const long degree = 3 + run % 3;
+    const std::vector<Polynomial> map = random_plane_map(draw, degree, 1);
+    if (map[0].is_zero() && map[1].is_zero() && map[2].is_zero()) continue;
+    const ParametricCurve curve = map_of(map);
+    if (curve.pieces[0].map.degree() < 1) continue;
+    CAPTURE(run);
+    const CurveResult by_map = solve(curve);
+    if (by_map.status == Status::infinite) continue;
+    check_delta(by_map, curve.pieces[0].map.degree());
+    check_pairs(by_map, curve.pieces[0].map);
+    const std::vector<Polynomial> affine{Polynomial::variable(2, 0), Polynomial::variable(2, 1),
+                                         Polynomial::constant(2, 1)};
+    const Polynomial equation = symbolic::implicit_equation(curve.pieces[0].map, 0, Context()).compose(affine);
+    const CurveResult by_equation = solve(intersect::ImplicitCurve{equation});
+    CHECK(by_equation.status == Status::certified);
+    REQUIRE(by_equation.solutions.size() == by_map.singular_points.size());
+    for (const CurveSolution& singular : by_equation.solutions) {
+      int matches = 0;
+      for (const intersect::SingularPoint& point : by_map.singular_points) {
+        if (!may_be_same_point(balls(point.point), balls(singular.point))) continue;
+        ++matches;
+        CHECK(singular.multiplicity == 2 * point.multiplicity - point.parameters.size() + 1);
+        CHECK(singular.reality == point.reality);
+        if (singular.multiplicity == 2) ++cusps;
+        if (singular.multiplicity > 2) ++larger;
+      }
+      CHECK(matches == 1);
+    }
+    ++compared;
+  }
+  CHECK(compared > 40);
+  CHECK(cusps > 5);
+  CHECK(larger > 10);
 }
 
 TEST_CASE("self_intersection: planted singularities survive changes of parameter") {
