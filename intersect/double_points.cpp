@@ -77,7 +77,7 @@ std::optional<MapPairResult> unordered(MapPairResult ordered) {
     if ((*swapped)[i] == i) {
       solution.kind = PairKind::cusp;
       solution.u = solution.t;
-      // Even in the plane; in space a bound.
+      // Twice the delta invariant; an upper bound of that may be odd.
       solution.multiplicity = (solution.multiplicity + 1) / 2;
     } else if (solution.reality == Reality::real) {
       solution.kind = PairKind::crossing;

@@ -9,6 +9,7 @@
 #include <eliminant/intersect/curve_boxes.hpp>
 #include <eliminant/intersect/curve_condition.hpp>
 #include <eliminant/intersect/curve_presentation.hpp>
+#include <eliminant/intersect/local_multiplicity.hpp>
 #include <eliminant/intersect/parameter_roots.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/presentation.hpp>
@@ -83,6 +84,9 @@ struct Pair {
 
 /// Significant bits of a ball; those of an exact one have no end.
 long accuracy(const ComplexBall& z) { return std::clamp<long>(acb_rel_accuracy_bits(z.get()), 0, 1L << 20); }
+
+/// What looks as if both branches were singular at so many bits is taken for that.
+constexpr long most_bits_for_multiplicities = 500;
 
 struct Moebius;
 
@@ -213,42 +217,35 @@ class MapPair {
       if (symbolic::split_common_component(problem.p, problem.q).component.is_constant()) break;
     }
     Result result = intersect_plane_curves(problem, options, context_);
-    if (in_space()) keep_zeros(chart, problem, result);
+    if (in_space()) keep_zeros(chart, problem, options, result);
     if (result.status == Status::incomplete) throw LimitReached(*result.limit);
     if (result.status != Status::certified) result_.status = Status::numeric;
     return result;
   }
 
   /// Keeps the zeros of all three equations, of which two combinations have been solved, and counts them.
-  void keep_zeros(const std::vector<Equation>& chart, const PlaneCurvesProblem& problem, Result& result) {
+  void keep_zeros(const std::vector<Equation>& chart, const PlaneCurvesProblem& problem, const Options& options,
+                  Result& result) {
     KeptSolutions kept = solutions_of_third(problem, chart[2].polynomial, result.solutions, options_.seed, context_);
     if (!kept.decided) undecided_ = true;
     result.solutions = std::move(kept.solutions);
     result.counts = {};
+    const LocalMultiplicity local({chart[0].polynomial, chart[1].polynomial, chart[2].polynomial}, options, context_);
     for (Solution& s : result.solutions) {
-      const long precision_bits =
-          std::min(acb_rel_accuracy_bits(s.x.ball.get()), acb_rel_accuracy_bits(s.y.ball.get()));
-      if (is_transversal(chart, s, 2 * std::clamp(precision_bits, 64L, 1L << 20) + 64)) s.multiplicity = 1;
+      const std::optional<unsigned long> multiplicity = local.at(problem, s);
+      if (multiplicity) {
+        s.multiplicity = *multiplicity;
+      } else if (std::min(accuracy(s.x.ball), accuracy(s.y.ball)) < most_bits_for_multiplicities) {
+        undecided_ = true;
+      } else {
+        s.certified = false;
+        s.reason = "both branches are singular there: the multiplicity is an upper bound";
+      }
       ++result.counts.distinct;
       result.counts.with_multiplicity += s.multiplicity;
       if (s.reality == Reality::real) ++result.counts.real;
       if (s.reality == Reality::undecided) ++result.counts.undecided;
     }
-  }
-
-  /// Whether the derivatives of the equations have rank two there.
-  static bool is_transversal(const std::vector<Equation>& chart, const Solution& s, long precision_bits) {
-    for (std::size_t i = 0; i < chart.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        std::array<ComplexBall, 4> entries;
-        for (std::size_t k = 0; k < 4; ++k)
-          entries[k] = evaluate(chart[k < 2 ? i : j].polynomial.derivative(k % 2), s.x.ball, s.y.ball, precision_bits);
-        ComplexBall determinant;
-        acb_mul(determinant.get(), entries[0].get(), entries[3].get(), precision_bits);
-        acb_submul(determinant.get(), entries[1].get(), entries[2].get(), precision_bits);
-        if (acb_contains_zero(determinant.get()) == 0) return true;
-      }
-    return false;
   }
 
   void add_pair(const Solution& s, std::optional<ComplexBall> t, std::optional<ComplexBall> u) {

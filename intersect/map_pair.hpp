@@ -34,8 +34,9 @@ struct MapPairResult {
 /// d e of them, and the multiplicity of a pair is the intersection multiplicity of the two branches. They are solved as
 /// plane curves in up to four charts. Where the curves coincide the two equations have a common component, the
 /// correspondence of parameters. In space there are three moving planes and three equations; of the common zeros of two
-/// combinations those are kept at which, exactly, the third vanishes too. There a transversal pair has multiplicity 1,
-/// and any other the multiplicity of the two combinations, which bounds it from above.
+/// combinations those are kept at which, exactly, the third vanishes too. Their multiplicity is that of the three
+/// equations (local_multiplicity.hpp); where both branches are singular the one of the two combinations stands for it,
+/// an upper bound that is not certified.
 /// Throws InvalidInput when one of the maps is constant.
 MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbolic::CurvePiece& second,
                                  const Options& options, const Context& context);

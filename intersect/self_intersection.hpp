@@ -15,7 +15,8 @@ namespace eliminant::intersect {
 /// A point with k branches has k (k - 1) / 2 pairs, which `singular_points` gathers. The multiplicity of a pair is the
 /// intersection multiplicity of its branches, of a cusp the delta invariant of its branch, so that in the plane the
 /// multiplicities over the complex projective line add up to (d - 1) (d - 2) / 2 for a map of degree d that takes
-/// general points once: that is `expected`. In space a transversal pair has multiplicity 1, any other an upper bound.
+/// general points once: that is `expected`. In space they are those of general projections to a plane; where both
+/// branches are singular, or a cusp is of higher order, an upper bound that is not certified.
 /// Of an equation the multiplicity is the Milnor number.
 ///
 /// With a domain the real pairs inside it are listed, without one all complex ones; with --real the real points,

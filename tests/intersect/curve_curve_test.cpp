@@ -346,6 +346,34 @@ TEST_CASE("A curve with a double point against itself: the overlap, and the two 
   CHECK(count_of(result, 1, -1, 1) == 1);
 }
 
+TEST_CASE("Two space curves: the multiplicity is the least contact of projections, not that of two equations") {
+  // 2 y - z vanishes to a higher order than y and z.
+  for (const long factor : {-3, -2, -1, 1, 2, 3, 5}) {
+    const std::vector<Polynomial> parabola{in_t("t"), in_t("t^2"), t_constant(factor) * in_t("t^2") + in_t("t^3"),
+                                           in_t("1")};
+    for (const auto& [first, second] : {std::pair{map_of({"t", "0", "0", "1"}), map_of(parabola)},
+                                        std::pair{map_of(parabola), map_of({"t", "0", "0", "1"})}}) {
+      const CurveResult result = meet(first, second);
+      CHECK(result.status == Status::certified);
+      REQUIRE(result.solutions.size() == 1);
+      CHECK(result.solutions[0].multiplicity == 2);
+    }
+  }
+  // Contact of order 3, and a cusp met by its tangent and by another line.
+  CHECK(meet(map_of({"t", "0", "0", "1"}), map_of({"t", "t^3", "2*t^3+t^4", "1"})).solutions[0].multiplicity == 3);
+  const ParametricCurve cusp = map_of({"t^2", "t^3", "t^4", "1"});
+  CHECK(meet(map_of({"t", "0", "0", "1"}), cusp).solutions[0].multiplicity == 3);
+  CHECK(meet(map_of({"0", "t", "t", "1"}), cusp).solutions[0].multiplicity == 2);
+  // Two cusps: the multiplicity is a bound.
+  const CurveResult two = meet(map_of({"t^3", "t^2", "t^4", "1"}), cusp);
+  CHECK(two.status == Status::numeric);
+  const auto at_origin = std::find_if(two.solutions.begin(), two.solutions.end(),
+                                      [](const CurveSolution& s) { return is_t(s, 0) && is_u(s, 0); });
+  REQUIRE(at_origin != two.solutions.end());
+  CHECK_FALSE(at_origin->certified);
+  CHECK(at_origin->multiplicity >= 4);
+}
+
 TEST_CASE("A solution on a seam between two pieces is listed once") {
   const ParametricCurve circle = circle_of_arcs();
   const CurveResult result = meet(circle, map_of({"t", "0", "1"}));

@@ -314,6 +314,11 @@ TEST_CASE("self_intersection: space curves by three moving planes") {
   const CurveResult cusp = solve(map_of({"t^2", "t^3", "t^4", "1"}));
   CHECK(cusp.status == Status::certified);
   CHECK(kinds(cusp) == Kinds{{{PairKind::cusp, 1}, 1}});
+  // (t^2, t^5): delta 2, as in a plane; branches in contact at -1 and 1.
+  CHECK(kinds(solve(map_of({"t^2", "t^5", "t^6", "1"}))).at({PairKind::cusp, 2}) == 1);
+  const CurveResult contact = solve(map_of({"t^3-t", "(t^2-1)^2", "(t^2-1)^3", "1"}));
+  CHECK(contact.status == Status::certified);
+  CHECK(kinds(contact).at({PairKind::crossing, 3}) == 1);
   // A curve in a plane of space is a plane curve.
   check_delta(solve(map_of({"t^2-1", "t^3-t", "t^2+1", "1"})), 3);
   Draw draw(77);
@@ -496,6 +501,41 @@ TEST_CASE("self_intersection: cutting a curve into pieces changes nothing inside
   CHECK(at_seams.closed);
   CHECK(at_seams.solutions.size() == 3);
   CHECK(at_seams.singular_points.size() == 1);
+}
+
+TEST_CASE("self_intersection: random curves cut anywhere, also at their double points") {
+  Draw draw(9001);
+  int found = 0;
+  for (int run = 0; run < 24; ++run) {
+    const std::size_t dimension = run % 4 == 3 ? 4 : 3;
+    std::vector<Polynomial> map;
+    for (std::size_t k = 0; k < dimension; ++k)
+      map.push_back(t_constant(draw.between(1, 4)) + in_t("t*(t-1)") * random_in_t(draw, 2, 4));
+    const Interval all{-2, 3};
+    std::vector<Rational> cuts{-2};
+    for (const Rational& cut :
+         {Rational(-1) / Rational(2), Rational(0), Rational(1) / Rational(3), Rational(1), Rational(2)})
+      if (draw.between(0, 1) == 1) cuts.push_back(cut);
+    cuts.emplace_back(3);
+    ParametricCurve pieces;
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+      pieces.pieces.push_back(map_of(map, Interval{cuts[k], cuts[k + 1]}).pieces[0]);
+    CAPTURE(run);
+    const CurveResult whole = solve(map_of(map, all));
+    const CurveResult cut = solve(pieces);
+    CHECK(whole.status == Status::certified);
+    CHECK(cut.status == Status::certified);
+    REQUIRE(cut.solutions.size() == whole.solutions.size());
+    for (std::size_t k = 0; k < whole.solutions.size(); ++k) {
+      CHECK(may_agree(whole.solutions[k].t, cut.solutions[k].t));
+      CHECK(may_agree(whole.solutions[k].u, cut.solutions[k].u));
+      CHECK(whole.solutions[k].multiplicity == cut.solutions[k].multiplicity);
+      CHECK(whole.solutions[k].kind == cut.solutions[k].kind);
+    }
+    CHECK(cut.singular_points.size() == whole.singular_points.size());
+    found += static_cast<int>(whole.solutions.size());
+  }
+  CHECK(found >= 24);
 }
 
 TEST_CASE("self_intersection: singular points of an equation, at infinity too") {
