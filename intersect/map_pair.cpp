@@ -326,7 +326,12 @@ class MapPair {
     for (std::size_t i = 0; i < equations_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const auto of = [&](std::size_t k) { return symbolic::hide_variable(equations_[k].polynomial, axis); };
-        common = symbolic::gcd(common, symbolic::resultant(of(j), of(i), options_.seed, context_));
+        // Without the variable that is eliminated the resultant would be 1, whatever they have in common.
+        const bool one_variable =
+            equations_[i].polynomial.degree(1 - axis) < 1 && equations_[j].polynomial.degree(1 - axis) < 1;
+        common =
+            symbolic::gcd(common, one_variable ? symbolic::gcd(of(i).coefficients.front(), of(j).coefficients.front())
+                                               : symbolic::resultant(of(j), of(i), options_.seed, context_));
       }
     // And of those whose other parameter is infinite.
     UnivariatePolynomial at_infinity;

@@ -374,6 +374,17 @@ TEST_CASE("Two space curves: the multiplicity is the least contact of projection
   CHECK(at_origin->multiplicity >= 4);
 }
 
+TEST_CASE("Two space curves: the end of a domain on a line, whose moving planes have no parameter") {
+  const std::vector<Polynomial> curve{in_t("t"), in_t("t-1"), in_t("t^2-t"), in_t("1")};
+  for (const auto& [lower, upper, size] :
+       {std::tuple{0L, 1L, 1U}, std::tuple{1L, 2L, 1U}, std::tuple{0L, 2L, 1U}, std::tuple{2L, 3L, 0U}}) {
+    const CurveResult result = meet(map_of({"t", "0", "0", "1"}), map_of(curve, Interval{lower, upper}));
+    CHECK(result.status == Status::certified);
+    CHECK(result.solutions.size() == size);
+    CHECK(meet(map_of(curve, Interval{lower, upper}), map_of({"t", "0", "0", "1"})).solutions.size() == size);
+  }
+}
+
 TEST_CASE("A solution on a seam between two pieces is listed once") {
   const ParametricCurve circle = circle_of_arcs();
   const CurveResult result = meet(circle, map_of({"t", "0", "1"}));
