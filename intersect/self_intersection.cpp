@@ -47,7 +47,12 @@ class SelfIntersection {
     for (std::size_t i = 0; i < curve_.pieces.size(); ++i) add_piece(i);
     for (std::size_t i = 0; i < curve_.pieces.size(); ++i)
       for (std::size_t j = i + 1; j < curve_.pieces.size(); ++j) add_pieces(i, j);
-    std::erase_if(found_, [&](const Found& f) { return ends_overlap(f.solution, result_.overlap, seams_, seams_); });
+    std::erase_if(found_, [&](const Found& f) {
+      CurveSolution exchanged = f.solution;
+      std::swap(exchanged.t, exchanged.u);
+      return ends_overlap(f.solution, result_.overlap, seams_, seams_) ||
+             ends_overlap(exchanged, result_.overlap, seams_, seams_);
+    });
     join_overlaps(result_.overlap);
     gather_points();
     for (Found& f : found_) result_.solutions.push_back(std::move(f.solution));

@@ -435,61 +435,13 @@ TEST_CASE("Pieces with disjoint boxes are left out of the counts, and of them al
 }
 
 TEST_CASE("Curves of pieces with common seams, corners and overlaps: exchanging them exchanges t and u") {
-  // Corners on a small grid: seams on seams, seams inside pieces, overlaps that end anywhere, closed curves.
-  using Corner = std::array<long, 3>;
   Draw draw(4242);
-  std::size_t dimension = 2;
-  const auto segment = [&](const Corner& from, const Corner& to, long begin) {
-    const Polynomial s = t_variable() - t_constant(begin);
-    std::vector<Polynomial> map;
-    for (std::size_t k = 0; k < dimension; ++k) map.push_back(t_constant(from[k]) + t_constant(to[k] - from[k]) * s);
-    map.push_back(t_constant(1));
-    return map_of(map, Interval{begin, begin + 1}).pieces[0];
-  };
-  const auto parabola = [&](const Corner& from, const Corner& middle, const Corner& to, long begin) {
-    const Polynomial s = t_variable() - t_constant(begin);
-    const Polynomial r = t_constant(1) - s;
-    std::vector<Polynomial> map;
-    for (std::size_t k = 0; k < dimension; ++k)
-      map.push_back(t_constant(from[k]) * r * r + t_constant(2 * middle[k]) * r * s + t_constant(to[k]) * s * s);
-    map.push_back(t_constant(1));
-    return map_of(map, Interval{begin, begin + 1}).pieces[0];
-  };
-  // In space two heights are enough to meet often.
-  const auto corner = [&]() -> Corner {
-    const long x = draw.between(0, 2);
-    const long y = draw.between(0, 2);
-    return {x, y, dimension == 3 ? draw.between(0, 1) : 0};
-  };
-  const auto random_curve = [&](const Corner& planted) {
-    const long count = draw.between(2, 4);
-    std::vector<Corner> corners;
-    for (long k = 0; k <= count; ++k) corners.push_back(corner());
-    corners[static_cast<std::size_t>(draw.between(1, count - 1))] = planted;
-    if (draw.between(0, 2) == 0) corners.back() = corners.front();
-    ParametricCurve result;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-      while (corners[k + 1] == corners[k]) {
-        // A piece must not be a point.
-        if (k + 1 == corners.size() - 1 || !(corners[k + 1] == planted))
-          corners[k + 1] = corner();
-        else
-          corners[k] = corner();
-      }
-      const Corner middle = corner();
-      result.pieces.push_back(draw.between(0, 3) == 0
-                                  ? parabola(corners[k], middle, corners[k + 1], static_cast<long>(k))
-                                  : segment(corners[k], corners[k + 1], static_cast<long>(k)));
-    }
-    return result;
-  };
   int with_overlap = 0;
   int at_seams = 0;
   for (int run = 0; run < 200; ++run) {
-    dimension = run % 3 == 2 ? 3 : 2;
-    const Corner planted = corner();
-    const ParametricCurve first = random_curve(planted);
-    const ParametricCurve second = run % 10 == 0 ? first : random_curve(planted);
+    CornerCurves curves(draw, run % 3 == 2 ? 3 : 2);
+    const ParametricCurve first = curves.next();
+    const ParametricCurve second = run % 10 == 0 ? first : curves.next();
     CAPTURE(run);
     const CurveResult there = meet(first, second);
     const CurveResult back = meet(second, first);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -194,5 +195,59 @@ inline bool complete_audit_holds(const intersect::CurveResult& result, unsigned 
          counts.distinct == result.solutions.size() && counts.listed == result.solutions.size() &&
          counts.real == real && counts.undecided == 0;
 }
+
+/// Curves of two to four segments and parabolas with corners on a small grid, one corner common to all of one object:
+/// seams on seams, seams inside pieces, overlaps that end anywhere, closed curves.
+class CornerCurves {
+ public:
+  CornerCurves(Draw& draw, std::size_t dimension) : draw_(draw), dimension_(dimension), common_(corner()) {}
+
+  symbolic::ParametricCurve next() {
+    const long count = draw_.between(2, 4);
+    std::vector<Corner> corners;
+    for (long k = 0; k <= count; ++k) corners.push_back(corner());
+    corners[static_cast<std::size_t>(draw_.between(1, count - 1))] = common_;
+    if (draw_.between(0, 2) == 0) corners.back() = corners.front();
+    symbolic::ParametricCurve result;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+      // A piece must not be a point.
+      while (corners[k + 1] == corners[k]) {
+        const bool movable = k + 2 == corners.size() || !(corners[k + 1] == common_);
+        corners[movable ? k + 1 : k] = corner();
+      }
+      const Corner middle = corner();
+      const bool straight = draw_.between(0, 3) > 0;
+      result.pieces.push_back(piece(corners[k], middle, corners[k + 1], straight, static_cast<long>(k)));
+    }
+    return result;
+  }
+
+ private:
+  using Corner = std::array<long, 3>;
+
+  /// In space two heights are enough to meet often.
+  Corner corner() {
+    const long x = draw_.between(0, 2);
+    const long y = draw_.between(0, 2);
+    return {x, y, dimension_ == 3 ? draw_.between(0, 1) : 0};
+  }
+
+  symbolic::CurvePiece piece(const Corner& from, const Corner& middle, const Corner& to, bool straight,
+                             long begin) const {
+    const Polynomial s = t_variable() - t_constant(begin);
+    const Polynomial r = t_constant(1) - s;
+    std::vector<Polynomial> map;
+    for (std::size_t k = 0; k < dimension_; ++k)
+      map.push_back(straight
+                        ? t_constant(from[k]) * r + t_constant(to[k]) * s
+                        : t_constant(from[k]) * r * r + t_constant(2 * middle[k]) * r * s + t_constant(to[k]) * s * s);
+    map.push_back(t_constant(1));
+    return map_of(map, symbolic::Interval{begin, begin + 1}).pieces[0];
+  }
+
+  Draw& draw_;
+  std::size_t dimension_;
+  Corner common_;
+};
 
 }  // namespace eliminant::test

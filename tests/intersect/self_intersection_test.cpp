@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/self_intersection.hpp>
 #include <eliminant/symbolic/elimination/implicit_equation.hpp>
 #include <eliminant/symbolic/geometry/nurbs.hpp>
@@ -536,6 +537,35 @@ TEST_CASE("self_intersection: random curves cut anywhere, also at their double p
     found += static_cast<int>(whole.solutions.size());
   }
   CHECK(found >= 24);
+}
+
+TEST_CASE("self_intersection: as two equal curves, without t = u and in one order") {
+  Draw draw(31337);
+  int crossings = 0;
+  int traced_again = 0;
+  for (int run = 0; run < 150; ++run) {
+    CornerCurves curves(draw, run % 3 == 2 ? 3 : 2);
+    const ParametricCurve curve = curves.next();
+    CAPTURE(run);
+    const CurveResult itself = solve(curve);
+    const CurveResult twice = intersect::intersect_curve_curve({curve, curve}, {}, Context());
+    // A parabola that lies in a line takes points twice.
+    if (itself.covering > 1) continue;
+    REQUIRE(twice.status == Status::infinite);
+    CHECK(twice.rest_status == Status::certified);
+    CHECK(itself.rest_status.value_or(itself.status) == Status::certified);
+    REQUIRE(twice.solutions.size() == 2 * itself.solutions.size());
+    for (const CurveSolution& a : itself.solutions)
+      for (const bool exchanged : {false, true})
+        CHECK(std::count_if(twice.solutions.begin(), twice.solutions.end(), [&](const CurveSolution& b) {
+                return may_agree(exchanged ? a.u : a.t, b.t) && may_agree(exchanged ? a.t : a.u, b.u) &&
+                       a.multiplicity == b.multiplicity;
+              }) == 1);
+    crossings += static_cast<int>(itself.solutions.size());
+    traced_again += static_cast<int>(itself.overlap.size());
+  }
+  CHECK(crossings > 50);
+  CHECK(traced_again > 20);
 }
 
 TEST_CASE("self_intersection: singular points of an equation, at infinity too") {
