@@ -73,8 +73,8 @@ class CurveCurve {
     const Seams u_seams(second);
     // The audit of a single pair is worth its time.
     const bool several = first.pieces.size() * second.pieces.size() > 1;
-    const auto t_boxes = boxes_of_pieces(first);
-    const auto u_boxes = boxes_of_pieces(second);
+    const auto t_boxes = boxes_of_pieces(several ? first : ParametricCurve());
+    const auto u_boxes = boxes_of_pieces(several ? second : ParametricCurve());
     for (std::size_t i = 0; i < first.pieces.size(); ++i)
       for (std::size_t j = 0; j < second.pieces.size(); ++j) {
         if (several && excluded_by_boxes(t_boxes[i], u_boxes[j], options_, result_)) continue;
