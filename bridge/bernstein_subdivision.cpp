@@ -129,6 +129,9 @@ class Subdivision {
   }
 
  private:
+  /// The places of parts are rounded: by less than this in all the cuts and narrowings that lead to a part.
+  static constexpr double place_slack = 0x1p-44;
+
   /// A pair of parts: its place in the parameters, and the errors of its control points, which lie at its place in
   /// points_.
   struct Frame {
@@ -206,8 +209,10 @@ class Subdivision {
     }
     KnownZero contact;
     contact.is_contact = true;
-    std::copy_n(box->lower.begin(), N, contact.lower.begin());
-    std::copy_n(box->upper.begin(), N, contact.upper.begin());
+    for (std::size_t k = 0; k < N; ++k) {
+      contact.lower[k] = box->lower[k] + place_slack;
+      contact.upper[k] = box->upper[k] - place_slack;
+    }
     known_.push_back(contact);
     return true;
   }
@@ -281,15 +286,15 @@ class Subdivision {
   template <std::size_t P>
   struct Preconditioned {
     Bounds values;
-    /// Before the local coordinates were taken off.
-    Array4d magnitude;
+    /// Before the local coordinates were taken off; only of a rational pair, of both sides.
+    Array4d magnitude = Array4d::Zero();
     std::array<Array4d, P> slopes;
     std::array<double, P> weight_slopes{};
   };
 
   template <std::size_t P>
-  Preconditioned<P> precondition(const Side<P>& side, const Columns& c, const Array4d& shift, double sign,
-                                 std::size_t first_axis) {
+  Preconditioned<P> precondition(const Side<P>& side, const Columns& c, const Array4d& shift, bool rational,
+                                 double sign, std::size_t first_axis) {
     Preconditioned<P> result;
     const std::size_t count = side.shape.size();
     scratch_.resize(std::max(scratch_.size(), count));
@@ -299,9 +304,9 @@ class Subdivision {
       const Array4d moved = side.polynomial ? Array4d(side.points[i] - shift)
                                             : Array4d((side.points[i] - shift * side.points[i][3]) * inverse_weight);
       scratch_[i] = times(c, moved);
-      if (!side.polynomial) plain.take(scratch_[i]);
+      if (rational) plain.take(scratch_[i]);
     }
-    result.magnitude = plain.magnitude();
+    if (rational) result.magnitude = plain.magnitude();
     for (std::size_t axis = 0; axis < P; ++axis) {
       const long lane = static_cast<long>(first_axis + axis);
       const double step = sign * 2 / static_cast<double>(side.shape.degree[axis]);
@@ -343,7 +348,8 @@ class Subdivision {
         slack = (side.error + largest * side.error[3]) * (1.001 / (side.weight * (1 - side.weight_spread))) +
                 16 * unit_roundoff * largest;
       }
-      const Array4d widening = times(absolute(c), slack);
+      // The second term is for products below the range of normal numbers.
+      const Array4d widening = times(absolute(c), slack) + 0x1p-1000;
       result.lower -= widening;
       result.upper += widening;
       return result;
@@ -386,8 +392,8 @@ class Subdivision {
       return verdict;
     }
     const Array4d shift = rational ? middle() : Array4d::Zero();
-    const Preconditioned<PA> a = precondition(first_, inverse, shift, 1, 0);
-    const Preconditioned<PB> b = precondition(second_, inverse, shift, -1, PA);
+    const Preconditioned<PA> a = precondition(first_, inverse, shift, rational, 1, 0);
+    const Preconditioned<PB> b = precondition(second_, inverse, shift, rational, -1, PA);
 
     // What rounding and the errors of the control points add, in units of the local coordinates.
     const Array4d size = moved_size(first_, shift) + moved_size(second_, shift);
@@ -523,6 +529,7 @@ class Subdivision {
         const auto degree = static_cast<double>(side.shape.degree[axis]);
         const double growth = std::exp(0.04 * degree);
         error = growth * (error + 10 * degree * unit_roundoff * side.size);
+        side.size *= growth;
         if (side.polynomial) error[3] = 0;
       };
       if (k < PA)
@@ -567,27 +574,28 @@ class Subdivision {
       const Array4d difference = rational ? Array4d(a.value * b.value[3] - b.value * a.value[3]) : a.value - b.value;
       // In the parameters of the whole; the bound is that of the preconditioned map of the pair.
       const double scale = 1 / (first_.weight * second_.weight);
-      const Array4d& error_a = first_jet_error_;
-      const Array4d& error_b = second_jet_error_;
-      Array4d error = error_a + error_b + 4 * unit_roundoff * (a.value.abs() + b.value.abs());
+      const double beyond = growth_beyond(at);
+      const Array4d error_a = beyond * first_jet_error_;
+      const Array4d error_b = beyond * second_jet_error_;
+      Array4d error = error_a + error_b + 8 * unit_roundoff * (a.value.abs() + b.value.abs());
       if (rational)
         error = (error_a * std::fabs(b.value[3]) + error_b * std::fabs(a.value[3]) + a.value.abs() * error_b[3] +
                  b.value.abs() * error_a[3]) *
                     1.001 +
-                4 * unit_roundoff * (a.value.abs() * std::fabs(b.value[3]) + b.value.abs() * std::fabs(a.value[3]));
+                8 * unit_roundoff * (a.value.abs() * std::fabs(b.value[3]) + b.value.abs() * std::fabs(a.value[3]));
       const Array4d offset = times(verdict.preconditioner, difference * scale);
       const Array4d bound =
           offset.abs() + times(absolute(verdict.preconditioner), error * scale) + 16 * unit_roundoff * offset.abs();
-      double local_radius = bound.head<static_cast<int>(N)>().maxCoeff() / (1 - verdict.contraction) * (1 + 1e-12);
-      // Must stay within the pair, where the contraction is proven.
+      // The widths are rounded, too.
+      const double local_radius = bound.head<static_cast<int>(N)>().maxCoeff() / (1 - verdict.contraction) * (1 + 1e-9);
       double largest_step = 0;
       double here = 0;
+      for (std::size_t k = 0; k < N; ++k) here = std::max(here, 0.5 * frame.width[k] * local_radius);
+      // Must stay within the pair, where the contraction is proven, and the enclosure where the zero is the only one.
       bool within = true;
-      for (std::size_t k = 0; k < N; ++k) {
-        const double local = 2 * (at[k] - frame.lower[k]) / frame.width[k] - 1;
-        within = within && std::fabs(local) < 1 - 1e-9;
-        here = std::max(here, 0.5 * frame.width[k] * local_radius);
-      }
+      for (std::size_t k = 0; k < N; ++k)
+        within = within && at[k] - here > frame.lower[k] + place_slack &&
+                 at[k] + here < frame.lower[k] + frame.width[k] - place_slack;
       if (within && here < radius) {
         radius = here;
         best_ = at;
@@ -614,8 +622,21 @@ class Subdivision {
     // Wide enough to be unique in the pair, and narrow enough to be useful.
     constexpr double accurate = 0x1p-30;
     if (!(radius < accurate)) return false;
-    add_zero(frame, radius);
-    return true;
+    return add_zero(frame, radius);
+  }
+
+  /// How much more than `jet_error` says the values may be wrong at these parameters.
+  double growth_beyond(const std::array<double, N>& at) const {
+    double beyond = 0;
+    for (const double parameter : at) beyond = std::max({beyond, -parameter, parameter - 1});
+    if (beyond < 0.02) return 1;
+    return std::exp(2 * beyond * (degree_sum(first_.shape) + degree_sum(second_.shape)));
+  }
+  template <std::size_t P>
+  static double degree_sum(const NetShape<P>& shape) {
+    double result = 0;
+    for (const std::size_t d : shape.degree) result += static_cast<double>(d);
+    return result;
   }
 
   /// Of the values of jet_at within a fiftieth of the domain.
@@ -623,19 +644,17 @@ class Subdivision {
   static Array4d jet_error(const ControlNet& net, const NetShape<P>& shape) {
     Array4d size = Array4d::Zero();
     for (const Array4d& point : net.points) size = size.max(point.abs());
-    double degrees = 0;
-    for (const std::size_t d : shape.degree) degrees += static_cast<double>(d);
+    const double degrees = degree_sum(shape);
     return std::exp(0.04 * degrees) * (net.error + 4 * degrees * unit_roundoff * size);
   }
 
-  void add_zero(const Frame& frame, double radius) {
+  /// False when it cannot be told from a zero known already.
+  bool add_zero(const Frame& frame, double radius) {
     KnownZero zero;
     double isolation = infinity;
     for (std::size_t k = 0; k < N; ++k) {
-      // Rounding of the places of parts.
-      constexpr double slack = 0x1p-45;
-      zero.lower[k] = frame.lower[k] + slack;
-      zero.upper[k] = frame.lower[k] + frame.width[k] - slack;
+      zero.lower[k] = frame.lower[k] + place_slack;
+      zero.upper[k] = frame.lower[k] + frame.width[k] - place_slack;
       zero.zero.parameters[k] = best_[k];
       isolation = std::min({isolation, best_[k] - zero.lower[k], zero.upper[k] - best_[k]});
     }
@@ -650,10 +669,19 @@ class Subdivision {
     const bool known = std::any_of(known_.begin(), known_.end(), [&](const KnownZero& other) {
       return contains(other, zero.zero) || (!other.is_contact && contains(zero, other.zero));
     });
+    const auto touches = [&](const KnownZero& other) {
+      for (std::size_t k = 0; k < N; ++k)
+        if (std::fabs(other.zero.parameters[k] - best_[k]) > (other.zero.radius + radius) * (1 + 1e-9) + 0x1p-50)
+          return false;
+      return !other.is_contact;
+    };
+    // In the box of neither, but perhaps the same: then smaller parts have to tell.
+    if (!known && std::any_of(known_.begin(), known_.end(), touches)) return false;
     bool outside = false;
     for (std::size_t k = 0; k < N; ++k) outside = outside || best_[k] + radius < 0 || best_[k] - radius > 1;
     known_.push_back(zero);
     if (!known && !outside) result_.zeros.push_back(zero.zero);
+    return true;
   }
 
   const ControlNet& first_net_;

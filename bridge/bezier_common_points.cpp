@@ -3,18 +3,11 @@
 
 #include <algorithm>
 
-#include <eliminant/bridge/ball.hpp>
-
 namespace eliminant::bridge {
 
 namespace {
 
 using symbolic::Rational;
-
-double to_double(const Rational& value) {
-  RealBall ball(value, 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
 
 bool is_inside(const std::array<Rational, 3>& parameters, std::size_t count) {
   return std::all_of(parameters.begin(), parameters.begin() + static_cast<std::ptrdiff_t>(count),
@@ -45,16 +38,13 @@ std::optional<std::vector<BezierCommonPoint>> bezier_common_points(const Control
       point.exact = prover.exact_zero(zero);
       if (!point.exact) return std::nullopt;
       if (!is_inside(*point.exact, count)) continue;
+      point.zero = rounded_parameters(*point.exact);
     }
     result.push_back(std::move(point));
   }
   for (const RationalZero& contact : prover.contacts()) {
     if (!is_inside(contact.parameters, count)) continue;
-    BezierCommonPoint point{{}, contact.parameters, contact.multiplicity};
-    for (std::size_t k = 0; k < count; ++k) point.zero.parameters[k] = to_double(contact.parameters[k]);
-    constexpr double rounding = 0x1p-50;
-    point.zero.radius = rounding;
-    result.push_back(std::move(point));
+    result.push_back({rounded_parameters(contact.parameters), contact.parameters, contact.multiplicity});
   }
   return result;
 }

@@ -39,6 +39,8 @@ std::optional<ControlNet> ControlNet::round(std::vector<std::size_t> degrees, co
       if (net.polynomial) value = value / weight;
       arb_set_fmpq(ball.get(), value.get(), 64);
       rounded[static_cast<long>(k)] = arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
+      // Below the range of doubles.
+      if (rounded[static_cast<long>(k)] == 0 && !value.is_zero()) return std::nullopt;
     }
     if (!is_safe(rounded)) return std::nullopt;
     net.error = net.error.max(2 * unit * rounded.abs());

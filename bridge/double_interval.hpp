@@ -25,7 +25,7 @@ struct DoubleInterval {
 
   double magnitude() const { return std::max(std::fabs(lower), std::fabs(upper)); }
   /// False also when an end is not a number.
-  bool excludes_zero() const { return lower > 0 || upper < 0; }
+  bool excludes_zero() const { return (lower > 0 && upper > 0) || (lower < 0 && upper < 0); }
   bool is_finite() const { return std::isfinite(lower) && std::isfinite(upper); }
 
   DoubleInterval operator-() const { return {-upper, -lower}; }
@@ -35,7 +35,9 @@ struct DoubleInterval {
   friend DoubleInterval operator-(const DoubleInterval& a, const DoubleInterval& b) {
     return widened(a.lower - b.upper, a.upper - b.lower);
   }
+  /// Everything when an end is not finite.
   friend DoubleInterval operator*(const DoubleInterval& a, const DoubleInterval& b) {
+    if (!a.is_finite() || !b.is_finite()) return {-INFINITY, INFINITY};
     const double p = a.lower * b.lower;
     const double q = a.lower * b.upper;
     const double r = a.upper * b.lower;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include <eliminant/bridge/ball.hpp>
 #include <eliminant/bridge/bezier_part.hpp>
 #include <eliminant/bridge/contact_series.hpp>
 #include <eliminant/bridge/double_interval.hpp>
@@ -434,7 +435,35 @@ std::optional<Approach> approach(const ControlNet& first, const ControlNet& seco
   return std::nullopt;
 }
 
+/// Whether the coordinates other than the normal one have an invertible derivative by the second's parameters, exactly:
+/// in doubles a singular point at parameters that are not dyadic does not look like one.
+bool is_graph_over_kept(const TaylorTable<Rational>& curve, const TaylorTable<Rational>& second, std::size_t normal) {
+  const std::size_t unknowns = second.parameters();
+  std::array<std::array<Rational, 2>, 2> jacobian;
+  for (std::size_t k = 0, r = 0; k <= unknowns; ++k) {
+    if (k == normal) continue;
+    for (std::size_t p = 0; p < unknowns; ++p) {
+      const std::array<Rational, 4>& slope = p == 0 ? second.at(1, 0) : second.at(0, 1);
+      jacobian[r][p] = curve.at(0)[k] * slope[weight] - curve.at(0)[weight] * slope[k];
+    }
+    ++r;
+  }
+  if (unknowns == 1) return !jacobian[0][0].is_zero();
+  return !(jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0]).is_zero();
+}
+
 }  // namespace
+
+IsolatedZero rounded_parameters(const std::array<Rational, 3>& parameters) {
+  IsolatedZero result;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    constexpr long double_bits = 53;
+    const RealBall ball(parameters[k], double_bits);
+    result.parameters[k] = arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
+    if (arb_is_exact(ball.get()) == 0) result.radius = 0x1p-52;
+  }
+  return result;
+}
 
 bool ContactProver::is_common_point(const std::array<Rational, 3>& parameters) const {
   const TaylorTable<Rational> a = taylor_at(exact_first_(), {parameters[0], Rational(0)}, 0);
@@ -458,6 +487,7 @@ bool ContactProver::vanishes_to(const std::array<Rational, 3>& parameters, std::
                                 std::size_t order) const {
   const TaylorTable<Rational> a = taylor_at(exact_first_(), {parameters[0], Rational(0)}, order - 1);
   const TaylorTable<Rational> b = taylor_at(exact_second_(), {parameters[1], parameters[2]}, order - 1);
+  if (!is_graph_over_kept(a, b, normal)) return false;
   const ContactSeries<Rational> series = contact_series(a, b, normal);
   return std::all_of(series.difference.begin(), series.difference.end(),
                      [](const Rational& coefficient) { return coefficient.is_zero(); });
@@ -505,7 +535,7 @@ std::optional<OpenBox> ContactProver::find(const std::array<double, 3>& near, do
     constexpr double accuracy = 1e-11;
     const auto exact = simple_fractions(at, 1 + second_.parameters(), accuracy);
     if (!exact || !is_common_point(*exact) || !vanishes_to(*exact, found->normal, order)) continue;
-    const std::optional<OpenBox> box = alone_around(at, order, found->slopes);
+    const std::optional<OpenBox> box = alone_around(rounded_parameters(*exact).parameters, order, found->slopes);
     if (!box) continue;
     contacts_.push_back({*exact, order, *box});
     return box;

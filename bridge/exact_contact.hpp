@@ -27,6 +27,10 @@ struct RationalZero {
   OpenBox alone_in;
 };
 
+/// The nearest doubles, or next to them, of parameters of at most 1 in absolute value, with a bound of the error: 0
+/// where they are exact.
+IsolatedZero rounded_parameters(const std::array<symbolic::Rational, 3>& parameters);
+
 /// Recognises common points at rational parameters of a Bezier curve and a patch, or of two plane curves.
 class ContactProver {
  public:
@@ -52,6 +56,7 @@ class ContactProver {
  private:
   bool is_common_point(const std::array<symbolic::Rational, 3>& parameters) const;
   bool vanishes_to(const std::array<symbolic::Rational, 3>& parameters, std::size_t normal, std::size_t order) const;
+  /// `parameters` are rounded ones of a contact.
   std::optional<OpenBox> alone_around(const std::array<double, 3>& parameters, std::size_t order,
                                       const std::array<double, 2>& slopes) const;
 

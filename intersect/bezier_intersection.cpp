@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/bezier_common_points.hpp>
@@ -48,6 +49,33 @@ bridge::ExactNet exact_net(std::vector<std::size_t> degrees, const std::vector<H
   return net;
 }
 
+/// Whether two homogeneous points are one, exactly.
+bool are_proportional(const HomogeneousPoint& p, const HomogeneousPoint& q) {
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = 0; k < j; ++k) {
+      const double a = p[j] * q[k];
+      const double b = p[k] * q[j];
+      // Beyond rounding, and not below the range of doubles.
+      constexpr double rounding = 0x1p-50;
+      constexpr double smallest = 0x1p-1000;
+      if (std::fabs(a - b) > rounding * (std::fabs(a) + std::fabs(b)) + smallest && std::isfinite(a - b)) return false;
+    }
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t k = 0; k < j; ++k)
+      if (!(exactly(p[j]) * exactly(q[k]) == exactly(p[k]) * exactly(q[j]))) return false;
+  return true;
+}
+
+void check_not_one_point(const std::vector<HomogeneousPoint>& points, const char* what) {
+  const auto is_zero = [](const HomogeneousPoint& p) { return p == HomogeneousPoint{}; };
+  const auto first = std::find_if_not(points.begin(), points.end(), is_zero);
+  if (first == points.end()) return;
+  const bool varies = std::any_of(std::next(first), points.end(), [&](const HomogeneousPoint& p) {
+    return !is_zero(p) && !are_proportional(*first, p);
+  });
+  if (!varies) throw InvalidInput(std::string(what) + " is a single point", "control points that differ");
+}
+
 symbolic::ControlPoint control_point(const HomogeneousPoint& p, bool in_plane) {
   if (in_plane) return {exactly(p[0]), exactly(p[1]), exactly(p[3])};
   return {exactly(p[0]), exactly(p[1]), exactly(p[2]), exactly(p[3])};
@@ -90,6 +118,7 @@ BezierIntersector::BezierIntersector(BezierPatch second) : patch_(std::move(seco
 
 BezierIntersector::BezierIntersector(BezierCurve second) : curve_(std::move(second)) {
   check(curve_->points, std::max<std::size_t>(curve_->points.size(), 2), true, "the second curve");
+  check_not_one_point(curve_->points, "the second curve");
   prepare({curve_->points.size() - 1}, curve_->points);
 }
 
@@ -107,6 +136,7 @@ void BezierIntersector::prepare(const std::vector<std::size_t>& degrees, const s
 
 BezierIntersections BezierIntersector::intersect(const BezierCurve& first, const Context& context) const {
   check(first.points, std::max<std::size_t>(first.points.size(), 2), curve_.has_value(), "the curve");
+  check_not_one_point(first.points, "the curve");
   const auto net = net_ ? bridge::ControlNet::of({first.points.size() - 1}, first.points, origin_) : std::nullopt;
   if (!net) return by_matrices(first, context);
   std::optional<bridge::ExactNet> exact_first;
@@ -161,6 +191,10 @@ BezierIntersections BezierIntersector::by_matrices(const BezierCurve& first, con
     point.certified = solution.certified;
     if (solution.u) {
       point.parameters[1] = middle(*solution.u);
+      result.points.push_back(point);
+    }
+    if (patch_ && solution.surface_parameters.empty()) {
+      point.parameters[1] = point.parameters[2] = std::numeric_limits<double>::quiet_NaN();
       result.points.push_back(point);
     }
     for (const std::vector<Parameter>& on_patch : solution.surface_parameters) {

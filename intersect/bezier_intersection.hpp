@@ -27,13 +27,15 @@ struct BezierPatch {
 
 /// A common point within the closed domains, in doubles.
 struct BezierPoint {
-  /// On the first curve, then on the second or on the patch (two); the rest is 0.
+  /// On the first curve, then on the second or on the patch (two); the rest is 0. Not numbers (NaN) on a patch none of
+  /// whose parameters of the point could be proven: where a border of it is one point, or at a singular point.
   std::array<double, 3> parameters{};
   /// A bound of the error of each parameter; 0 where they are these numbers exactly.
   double radius = 0;
   /// The affine point of the curve there, rounded.
   std::array<double, 3> point{};
-  /// Intersection multiplicity; where the patch has several parameters for the point, with all of it.
+  /// Intersection multiplicity with the second curve or the patch near these parameters. Where the matrix engines did
+  /// the work, with the whole surface of the patch, which may pass through the point again, also beyond its borders.
   unsigned long multiplicity = 1;
   /// The enclosure holds exactly one solution, of that multiplicity.
   bool certified = false;
@@ -56,11 +58,11 @@ struct BezierIntersections {
 class BezierIntersector {
  public:
   /// Throws InvalidInput when the number of points does not fit the degree, a degree is 0, a number is not finite, all
-  /// weights are 0 or (a curve) a z is not 0.
+  /// weights are 0 or (a curve) a z is not 0 or all points are one.
   explicit BezierIntersector(BezierPatch second);
   explicit BezierIntersector(BezierCurve second);
 
-  /// Throws InvalidInput as the constructors do, and when the first is a single point.
+  /// Throws InvalidInput as the constructors do.
   BezierIntersections intersect(const BezierCurve& first, const Context& context = Context()) const;
 
  private:

@@ -543,7 +543,10 @@ MapPairResult intersect_map_pair(const symbolic::CurvePiece& first, const symbol
                                  const Options& options, const Context& context) {
   require_curves(first, second);
   if (std::optional<MapPairResult> result = within_boxes(first, second, options, context)) return *std::move(result);
-  return MapPair(first, second, false, options, context).run();
+  Options by_equations = options;
+  // What boxes leave open.
+  if (options.engine == Engine::box) by_equations.engine = Engine::automatic;
+  return MapPair(first, second, false, by_equations, context).run();
 }
 
 MapPairResult intersect_map_with_itself(const symbolic::CurvePiece& piece, const Options& options,

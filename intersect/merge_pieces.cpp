@@ -12,22 +12,35 @@ namespace {
 using bridge::ComplexBall;
 using symbolic::UnivariatePolynomial;
 
-/// Whether two solutions of different pieces have the same t.
+bool contains(const ComplexBall& ball, const ComplexBall& root) { return acb_contains(ball.get(), root.get()) != 0; }
+
+/// Whether two solutions of different pieces have the same t: a root of both polynomials that lies in both balls, each of
+/// which isolates one root of its own.
 bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Context& context) {
   if (!*a.t || !*b.t) return !*a.t && !*b.t;
   const ComplexBall& first = (*a.t)->ball;
   const ComplexBall& second = (*b.t)->ball;
   // Without a polynomial a point is transversal and inside its patch.
   if (acb_overlaps(first.get(), second.get()) == 0 || !a.t_polynomial || !b.t_polynomial) return false;
-  // Nothing can be refined to the accuracy of two exact numbers.
-  if (acb_is_exact(first.get()) != 0 && acb_is_exact(second.get()) != 0) return true;
+  for (const Coordinate* t : {&**a.t, &**b.t})
+    if (t->exact) {
+      const UnivariatePolynomial linear = UnivariatePolynomial::with_root(*t->exact);
+      return symbolic::gcd(linear, *a.t_polynomial).degree() == 1 && symbolic::gcd(linear, *b.t_polynomial).degree() == 1;
+    }
   const UnivariatePolynomial common = symbolic::gcd(*a.t_polynomial, *b.t_polynomial);
   if (common.degree() < 1) return false;
-  const long bits = std::min(acb_rel_accuracy_bits(first.get()), acb_rel_accuracy_bits(second.get()));
-  const std::vector<ComplexBall> roots = bridge::enclose_roots(common, std::max(bits, 64L), context);
-  return std::any_of(roots.begin(), roots.end(), [&](const ComplexBall& root) {
-    return acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0;
-  });
+  const long accuracy = std::min(acb_rel_accuracy_bits(first.get()), acb_rel_accuracy_bits(second.get()));
+  constexpr long least_bits = 64;
+  constexpr long most_bits = 1L << 16;
+  for (long bits = std::max(accuracy + 8, least_bits);; bits *= 2) {
+    bool undecided = false;
+    for (const ComplexBall& root : bridge::enclose_roots(common, std::min(bits, most_bits), context)) {
+      if (contains(first, root) && contains(second, root)) return true;
+      undecided = undecided || (acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0);
+    }
+    // On the border of a ball for ever: that ball is the root, or an end of it is.
+    if (!undecided || bits >= most_bits) return undecided;
+  }
 }
 
 bool same_text(const Parameter& a, const Parameter& b) {
