@@ -196,9 +196,9 @@ class Subdivision {
     if (std::any_of(known_.begin(), known_.end(), beside)) return false;
     std::array<double, 3> near{};
     for (std::size_t k = 0; k < N; ++k) near[k] = frame.lower[k] + 0.5 * frame.width[k];
-    constexpr double widths = 8;
-    const std::optional<OpenBox> box =
-        find_contact_(near, widths * *std::max_element(frame.width.begin(), frame.width.end()));
+    // Parts of width w next to a contact of order k are undecided as far from it as about w^(2 / k).
+    const double reach = 2 * std::sqrt(*std::max_element(frame.width.begin(), frame.width.end()));
+    const std::optional<OpenBox> box = find_contact_(near, reach);
     const auto same = [&](const KnownZero& other) {
       const double middle = 0.5 * (box->lower[0] + box->upper[0]);
       return other.is_contact && other.lower[0] < middle && middle < other.upper[0];
@@ -620,7 +620,7 @@ class Subdivision {
       if (radius < infinity && here >= radius && largest_step < rounding) break;
     }
     // Wide enough to be unique in the pair, and narrow enough to be useful.
-    constexpr double accurate = 0x1p-30;
+    constexpr double accurate = 0x1p-26;
     if (!(radius < accurate)) return false;
     return add_zero(frame, radius);
   }

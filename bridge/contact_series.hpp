@@ -25,6 +25,13 @@ class TaylorTable {
   const std::array<Scalar, 4>& at(std::size_t i, std::size_t j = 0) const {
     return const_cast<TaylorTable*>(this)->at(i, j);
   }
+  /// The coefficients up to a lower total order.
+  TaylorTable truncated(std::size_t order) const {
+    TaylorTable result(parameters_, order);
+    for (std::size_t i = 0; i <= order; ++i)
+      for (std::size_t j = 0; i + j <= order && (parameters_ == 2 || j == 0); ++j) result.at(i, j) = at(i, j);
+    return result;
+  }
 
  private:
   std::size_t parameters_;

@@ -381,7 +381,7 @@ std::optional<Approach> approach(const ControlNet& first, const ControlNet& seco
   constexpr int most_steps = 12;
   for (int step = 0; step < most_steps; ++step) {
     for (std::size_t k = 0; k < 1 + second.parameters(); ++k)
-      if (!(std::fabs(at[k] - start[k]) < reach)) return std::nullopt;
+      if (!(std::fabs(at[k] - start[k]) < 4 * reach)) return std::nullopt;
     const TaylorTable<double> a = table_near(first, at[0], 0, order);
     const TaylorTable<double> b = table_near(second, at[1], at[2], order);
     const std::optional<std::size_t> normal = normal_coordinate(b);
@@ -452,6 +452,36 @@ bool is_graph_over_kept(const TaylorTable<Rational>& curve, const TaylorTable<Ra
   return !(jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0]).is_zero();
 }
 
+DoubleInterval enclosed(const Rational& value) {
+  constexpr long bits = 64;
+  const RealBall ball(value, bits);
+  RealBall end;
+  arb_get_lbound_arf(arb_midref(end.get()), ball.get(), bits);
+  const double lower = arf_get_d(arb_midref(end.get()), ARF_RND_FLOOR);
+  arb_get_ubound_arf(arb_midref(end.get()), ball.get(), bits);
+  return {lower, arf_get_d(arb_midref(end.get()), ARF_RND_CEIL)};
+}
+
+/// The Taylor coefficients at the contact in its frame, with the weights of the net in doubles.
+TaylorTable<DoubleInterval> enclosed(const TaylorTable<Rational>& exact, const ControlNet& net,
+                                     const ContactFrame& frame) {
+  const std::array<Rational, 4> point = exact.at(0);
+  TaylorTable<DoubleInterval> table(exact.parameters(), exact.order());
+  for (std::size_t i = 0; i <= exact.order(); ++i)
+    for (std::size_t j = 0; i + j <= exact.order() && (exact.parameters() == 2 || j == 0); ++j) {
+      const std::array<Rational, 4>& from = exact.at(i, j);
+      std::array<DoubleInterval, 4>& to = table.at(i, j);
+      const Rational unit = net.polynomial ? point[weight] : Rational(1);
+      to[weight] = enclosed(from[weight] / unit);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const DoubleInterval moved = enclosed((from[k] - point[k] / point[weight] * from[weight]) / unit);
+        for (std::size_t r = 0; r < 3; ++r)
+          to[r] = to[r] + DoubleInterval(frame.columns[k][static_cast<long>(r)]) * moved;
+      }
+    }
+  return table;
+}
+
 }  // namespace
 
 IsolatedZero rounded_parameters(const std::array<Rational, 3>& parameters) {
@@ -483,22 +513,19 @@ std::optional<std::array<Rational, 3>> ContactProver::exact_zero(const IsolatedZ
   return result;
 }
 
-bool ContactProver::vanishes_to(const std::array<Rational, 3>& parameters, std::size_t normal,
-                                std::size_t order) const {
-  const TaylorTable<Rational> a = taylor_at(exact_first_(), {parameters[0], Rational(0)}, order - 1);
-  const TaylorTable<Rational> b = taylor_at(exact_second_(), {parameters[1], parameters[2]}, order - 1);
-  if (!is_graph_over_kept(a, b, normal)) return false;
-  const ContactSeries<Rational> series = contact_series(a, b, normal);
+bool ContactProver::vanishes_to(const ExactTables& tables, std::size_t normal, std::size_t order) {
+  const ContactSeries<Rational> series =
+      contact_series(tables.first.truncated(order - 1), tables.second.truncated(order - 1), normal);
   return std::all_of(series.difference.begin(), series.difference.end(),
                      [](const Rational& coefficient) { return coefficient.is_zero(); });
 }
 
-std::optional<OpenBox> ContactProver::alone_around(const std::array<double, 3>& parameters, std::size_t order,
-                                                   const std::array<double, 2>& slopes) const {
+std::optional<OpenBox> ContactProver::alone_around(const ExactTables& tables, const std::array<double, 3>& parameters,
+                                                   std::size_t order, const std::array<double, 2>& slopes) const {
   const ContactFrame frame = contact_frame(table_near(second_, parameters[1], parameters[2], 1));
-  // Differences of higher order on a much narrower box would be lost in the rounding of the control points.
-  constexpr double hardly_wide = 0x1p-11;
-  const BoxSeries at_contact(first_, second_, frame, box_around(parameters, slopes, hardly_wide), order);
+  const DoubleInterval at_contact = contact_series(enclosed(tables.first, first_, frame),
+                                                   enclosed(tables.second, second_, frame), second_.parameters())
+                                        .difference[order];
   constexpr double widest = 0x1p-2;
   constexpr double narrowest = 0x1p-12;
   for (double reach = widest; reach >= narrowest; reach *= 0.5) {
@@ -513,8 +540,8 @@ std::optional<OpenBox> ContactProver::alone_around(const std::array<double, 3>& 
     if (!stays) continue;
     // The k-th derivative, straight or by its mean value form.
     const DoubleInterval step(-reach * (1 + 1e-9), reach * (1 + 1e-9));
-    const DoubleInterval mean = at_contact.series.difference[order] + DoubleInterval(static_cast<double>(order + 1)) *
-                                                                          on_box.series.difference[order + 1] * step;
+    const DoubleInterval mean =
+        at_contact + DoubleInterval(static_cast<double>(order + 1)) * on_box.series.difference[order + 1] * step;
     const auto one_sign = [](const DoubleInterval& x) { return x.excludes_zero() && x.is_finite(); };
     if (one_sign(on_box.series.difference[order]) || one_sign(mean)) return box;
   }
@@ -534,8 +561,13 @@ std::optional<OpenBox> ContactProver::find(const std::array<double, 3>& near, do
     if (std::any_of(contacts_.begin(), contacts_.end(), is_there)) return std::nullopt;
     constexpr double accuracy = 1e-11;
     const auto exact = simple_fractions(at, 1 + second_.parameters(), accuracy);
-    if (!exact || !is_common_point(*exact) || !vanishes_to(*exact, found->normal, order)) continue;
-    const std::optional<OpenBox> box = alone_around(rounded_parameters(*exact).parameters, order, found->slopes);
+    if (!exact || !is_common_point(*exact)) continue;
+    const ExactTables tables{taylor_at(exact_first_(), {(*exact)[0], Rational(0)}, order),
+                             taylor_at(exact_second_(), {(*exact)[1], (*exact)[2]}, order)};
+    if (!is_graph_over_kept(tables.first, tables.second, found->normal) || !vanishes_to(tables, found->normal, order))
+      continue;
+    const std::optional<OpenBox> box =
+        alone_around(tables, rounded_parameters(*exact).parameters, order, found->slopes);
     if (!box) continue;
     contacts_.push_back({*exact, order, *box});
     return box;

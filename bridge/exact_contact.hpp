@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <eliminant/bridge/bernstein_subdivision.hpp>
+#include <eliminant/bridge/contact_series.hpp>
 #include <eliminant/bridge/control_net.hpp>
 
 namespace eliminant::bridge {
@@ -55,10 +56,15 @@ class ContactProver {
 
  private:
   bool is_common_point(const std::array<symbolic::Rational, 3>& parameters) const;
-  bool vanishes_to(const std::array<symbolic::Rational, 3>& parameters, std::size_t normal, std::size_t order) const;
-  /// `parameters` are rounded ones of a contact.
-  std::optional<OpenBox> alone_around(const std::array<double, 3>& parameters, std::size_t order,
-                                      const std::array<double, 2>& slopes) const;
+  /// Taylor coefficients at a common point.
+  struct ExactTables {
+    TaylorTable<symbolic::Rational> first;
+    TaylorTable<symbolic::Rational> second;
+  };
+  static bool vanishes_to(const ExactTables& tables, std::size_t normal, std::size_t order);
+  /// `parameters` are those of the contact, rounded.
+  std::optional<OpenBox> alone_around(const ExactTables& tables, const std::array<double, 3>& parameters,
+                                      std::size_t order, const std::array<double, 2>& slopes) const;
 
   const ControlNet& first_;
   const ControlNet& second_;

@@ -14,8 +14,8 @@ using symbolic::UnivariatePolynomial;
 
 bool contains(const ComplexBall& ball, const ComplexBall& root) { return acb_contains(ball.get(), root.get()) != 0; }
 
-/// Whether two solutions of different pieces have the same t: a root of both polynomials that lies in both balls, each of
-/// which isolates one root of its own.
+/// Whether two solutions of different pieces have the same t: a root of both polynomials that lies in both balls, each
+/// of which isolates one root of its own.
 bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Context& context) {
   if (!*a.t || !*b.t) return !*a.t && !*b.t;
   const ComplexBall& first = (*a.t)->ball;
@@ -25,7 +25,8 @@ bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Contex
   for (const Coordinate* t : {&**a.t, &**b.t})
     if (t->exact) {
       const UnivariatePolynomial linear = UnivariatePolynomial::with_root(*t->exact);
-      return symbolic::gcd(linear, *a.t_polynomial).degree() == 1 && symbolic::gcd(linear, *b.t_polynomial).degree() == 1;
+      return symbolic::gcd(linear, *a.t_polynomial).degree() == 1 &&
+             symbolic::gcd(linear, *b.t_polynomial).degree() == 1;
     }
   const UnivariatePolynomial common = symbolic::gcd(*a.t_polynomial, *b.t_polynomial);
   if (common.degree() < 1) return false;
@@ -36,7 +37,8 @@ bool same_parameter(const CurveSolution& a, const CurveSolution& b, const Contex
     bool undecided = false;
     for (const ComplexBall& root : bridge::enclose_roots(common, std::min(bits, most_bits), context)) {
       if (contains(first, root) && contains(second, root)) return true;
-      undecided = undecided || (acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0);
+      undecided =
+          undecided || (acb_overlaps(root.get(), first.get()) != 0 && acb_overlaps(root.get(), second.get()) != 0);
     }
     // On the border of a ball for ever: that ball is the root, or an end of it is.
     if (!undecided || bits >= most_bits) return undecided;

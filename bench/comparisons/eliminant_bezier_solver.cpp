@@ -26,8 +26,7 @@ intersect::BezierIntersector intersector(const test::BezierCase& bezier) {
   if (bezier.in_plane()) return intersect::BezierIntersector(intersect::BezierCurve{bezier.second});
   intersect::BezierPatch patch;
   patch.degree = {bezier.patch.size() - 1, bezier.patch.front().size() - 1};
-  for (const test::ControlPolygon& row : bezier.patch)
-    patch.points.insert(patch.points.end(), row.begin(), row.end());
+  for (const test::ControlPolygon& row : bezier.patch) patch.points.insert(patch.points.end(), row.begin(), row.end());
   return intersect::BezierIntersector(std::move(patch));
 }
 
