@@ -525,9 +525,10 @@ class Subdivision {
       const double to = 0.5 * (upper + margin + 1);
       const auto restrict_side = [&](auto& side, std::size_t axis, Array4d& error) {
         restrict_to(side.shape, axis, from, to, side.points);
-        // Beyond [0, 1], by less than a fiftieth, values and errors grow by less than this factor.
+        // Beyond [0, 1] values and errors grow by less than this factor: (1 + 2 beyond)^degree.
         const auto degree = static_cast<double>(side.shape.degree[axis]);
-        const double growth = std::exp(0.04 * degree);
+        const double beyond = std::max(-from, to - 1);
+        const double growth = beyond > 0 ? std::exp(2 * beyond * degree) * (1 + 8 * unit_roundoff) : 1;
         error = growth * (error + 10 * degree * unit_roundoff * side.size);
         side.size *= growth;
         if (side.polynomial) error[3] = 0;

@@ -21,6 +21,21 @@ bool is_safe(const Eigen::Array4d& point) {
   });
 }
 
+/// The high half of the digits of each number, so that products of halves are exact (Veltkamp).
+Eigen::Array4d high_half(const Eigen::Array4d& x) {
+  const Eigen::Array4d spread = (0x1p27 + 1) * x;
+  return spread - (spread - x);
+}
+
+/// What rounding took off the product with a number, exactly (Dekker).
+Eigen::Array4d lost_by_product(const Eigen::Array4d& x, double y, const Eigen::Array4d& product) {
+  const Eigen::Array4d x_high = high_half(x);
+  const Eigen::Array4d x_low = x - x_high;
+  const double y_high = high_half(Eigen::Array4d::Constant(y))[0];
+  const double y_low = y - y_high;
+  return ((x_high * y_high - product) + x_high * y_low + x_low * y_high) + x_low * y_low;
+}
+
 }  // namespace
 
 std::optional<ControlNet> ControlNet::round(std::vector<std::size_t> degrees, const std::vector<ExactPoint>& points,
@@ -65,7 +80,7 @@ std::optional<ControlNet> ControlNet::of(std::vector<std::size_t> degrees, const
     // Knuth's two-sum: what the subtraction lost, exactly; of coordinates with few digits it is 0.
     const Eigen::Array4d back = exact - moved;
     Eigen::Array4d lost = ((exact - (moved + back)) + (back - step)).abs();
-    if (exact[3] != 1) lost += unit * step.abs();
+    if (exact[3] != 1) lost += lost_by_product(shift, exact[3], step).abs();
     net.error = net.error.max(lost);
     net.points.push_back(moved);
   }

@@ -424,7 +424,8 @@ std::optional<Approach> approach(const ControlNet& first, const ControlNet& seco
     if (largest > at_rest) continue;
     // A contact of that order, as far as doubles can tell.
     double size = 0;
-    for (std::size_t k = 0; k < 3; ++k) size = std::max({size, std::fabs(a.at(0)[k]), std::fabs(a.at(1)[k])});
+    for (std::size_t i = 0; i <= order; ++i)
+      for (std::size_t k = 0; k < 3; ++k) size = std::max(size, std::fabs(a.at(i)[k]));
     constexpr double tiny = 1e-10;
     for (std::size_t k = 0; k + 1 < order; ++k)
       if (!(std::fabs(series.difference[k]) <= tiny * size * b.at(0)[weight])) return std::nullopt;

@@ -172,6 +172,12 @@ BezierIntersections BezierIntersector::intersect(const BezierCurve& first, const
 BezierIntersections BezierIntersector::by_matrices(const BezierCurve& first, const Context& context) const {
   Options options;
   options.field = Field::real;
+  // One radius holds for parameters and coordinates, which may be large.
+  double largest = 1;
+  for (const HomogeneousPoint& p : first.points)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (p[3] != 0) largest = std::max(largest, std::fabs(p[k] / p[3]));
+  options.digits += std::isfinite(largest) ? std::lround(std::ceil(std::log10(largest))) : 0;
   CurveResult exact;
   if (patch_) {
     exact = intersect_curve_surface({exact_curve(first, false), exact_patch(*patch_)}, options, context);
