@@ -62,8 +62,11 @@ bool contains(const OpenBox& box, std::size_t k, double value) { return box.lowe
 }  // namespace
 
 TEST_CASE("Exact contact: orders 2 to 5 at rational parameters, in the plane and on a patch") {
-  for (const auto& [p, q] : {std::pair(1L, 2L), std::pair(1L, 3L), std::pair(3L, 7L), std::pair(5L, 16L)})
+  const std::vector<std::pair<long, long>> fractions{{1, 2}, {1, 3}, {3, 7}, {5, 16}};
+  for (const std::pair<long, long>& fraction : fractions)
     for (unsigned order = 2; order <= 5; ++order) {
+      const long p = fraction.first;
+      const long q = fraction.second;
       CAPTURE(p);
       CAPTURE(q);
       CAPTURE(order);

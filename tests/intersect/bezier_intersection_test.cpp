@@ -74,8 +74,11 @@ BezierPatch crossing_sheets(double low) {
 
 TEST_CASE("Bezier intersection: contacts of order 1 to 5 are proven in hardware doubles") {
   const Powers p = powers({1, -2, 1});
-  for (const auto& [numerator, denominator] : {std::pair(1L, 2L), std::pair(1L, 3L), std::pair(3L, 4L)})
+  const std::vector<std::pair<long, long>> fractions{{1, 2}, {1, 3}, {3, 4}};
+  for (const std::pair<long, long>& fraction : fractions)
     for (unsigned order = 1; order <= 5; ++order) {
+      const long numerator = fraction.first;
+      const long denominator = fraction.second;
       CAPTURE(denominator);
       CAPTURE(order);
       const double at = static_cast<double>(numerator) / static_cast<double>(denominator);
