@@ -54,10 +54,12 @@ class ContainedCurve {
         options_(options),
         context_(context) {}
 
-  std::vector<Overlap> run() {
+  ContainedParts run() {
     cut();
     for (Overlap& overlap : overlaps_) overlap.certified = options_.certify && certified_;
-    return std::move(overlaps_);
+    parts_.stretches = std::move(overlaps_);
+    parts_.certified = certified_;
+    return std::move(parts_);
   }
 
  private:
@@ -66,7 +68,8 @@ class ContainedCurve {
       overlaps_.push_back(whole_curve(curve_, options_));
       return;
     }
-    ParameterRoots ends(crossings(), Wanted::real, context_);
+    parts_.crossings = crossings();
+    ParameterRoots ends(parts_.crossings, Wanted::real, context_);
     std::vector<std::size_t> cuts;
     for (std::size_t i = 0; i < ends.size(); ++i)
       if (!curve_.domain || (ends.compare(i, curve_.domain->lower) >= 0 && ends.compare(i, curve_.domain->upper) <= 0))
@@ -80,6 +83,8 @@ class ContainedCurve {
     std::vector<bool> inside_after(cuts.size(), false);
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) inside_after[k] = is_inside(between(ends, cuts[k], cuts[k + 1]));
     if (!curve_.domain) inside_after.back() = is_inside(beyond(ends, cuts.back()));
+    for (std::size_t k = 0; k < cuts.size(); ++k)
+      if (!inside_after[k] && !inside_after[k > 0 ? k - 1 : cuts.size() - 1]) parts_.isolated.push_back(cuts[k]);
     join(ends, cuts, inside_after);
   }
 
@@ -189,13 +194,13 @@ class ContainedCurve {
   const Context& context_;
   bool certified_ = true;
   std::vector<Overlap> overlaps_;
+  ContainedParts parts_;
 };
 
 }  // namespace
 
-std::vector<Overlap> contained_stretches(const CurvePiece& curve, PreparedSurface& surface, SurfaceBorders& borders,
-                                         const PatchTest& is_within_patch, const Options& options,
-                                         const Context& context) {
+ContainedParts contained_parts(const CurvePiece& curve, PreparedSurface& surface, SurfaceBorders& borders,
+                               const PatchTest& is_within_patch, const Options& options, const Context& context) {
   return ContainedCurve(curve, surface, borders, is_within_patch, options, context).run();
 }
 

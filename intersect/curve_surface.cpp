@@ -443,11 +443,36 @@ class PiecePair {
     const PatchTest is_within_patch = [&](const HomogeneousParameters& parameters, const PointOnCurve& point) {
       return is_within(parameters, point);
     };
-    for (Overlap& overlap : contained_stretches(curve_, surface_, borders_, is_within_patch, options_, context_)) {
+    ContainedParts parts = contained_parts(curve_, surface_, borders_, is_within_patch, options_, context_);
+    for (Overlap& overlap : parts.stretches) {
       overlap.certified = overlap.certified && certified;
       if (!overlap.certified) result_.status = Status::numeric;
       result_.overlap.push_back(std::move(overlap));
     }
+    add_touching_points(parts, certified);
+  }
+
+  /// Where a curve in the surface meets the patch in one point alone, in a corner, at its own end or tangent to a
+  /// border: those of the isolated crossings that are in the patch.
+  void add_touching_points(const ContainedParts& parts, bool certified) {
+    if (parts.isolated.empty()) return;
+    ParameterRoots ends(parts.crossings, Wanted::real, context_);
+    const CurveCounts counts = result_.counts;
+    const auto fill_touching = [&](CurveSolution& solution, const PointOnCurve& point) {
+      const bool is_candidate = std::any_of(parts.isolated.begin(), parts.isolated.end(), [&](std::size_t i) {
+        return point.exact_t ? ends.compare(i, *point.exact_t) == 0 : point.roots != nullptr && point.index == i;
+      });
+      if (!is_candidate) return Filling::left_out;
+      const Filling filling = fill(solution, point, true);
+      if (filling == Filling::done && !(parts.certified && certified)) {
+        solution.certified = false;
+        solution.reason = "which parts of the curve lie in the patch is not proven";
+      }
+      return filling;
+    };
+    add_condition_roots(curve_, {parts.crossings, 0}, 1, true, options_, context_, fill_touching, result_);
+    // These are no solutions of an equation.
+    result_.counts = counts;
   }
 
   /// Whether a general point of the curve has parameters on the surface, and not only a base point in its kernel.

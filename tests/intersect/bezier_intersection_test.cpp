@@ -187,6 +187,29 @@ TEST_CASE("Bezier intersection: a point where a border collapses is listed, with
   CHECK(result.points[0].point[2] == doctest::Approx(1));
 }
 
+TEST_CASE("Bezier intersection: a curve in the plane of a patch that touches it in one point meets it there") {
+  const BezierIntersector square(BezierPatch{{1, 1}, {{-1, -1, 0, 1}, {-1, 1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}}});
+  // Through a corner, from a border outwards, tangent to a border.
+  const std::vector<BezierCurve> curves{
+      {{{0, 2, 0, 1}, {2, 0, 0, 1}}}, {{{1, 0, 0, 1}, {2, 0, 0, 1}}}, {{{-1, 2, 0, 1}, {0, 0, 0, 1}, {1, 2, 0, 1}}}};
+  const std::vector<std::array<double, 3>> expected{{0.5, 1, 1}, {0, 1, 0.5}, {0.5, 0.5, 1}};
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    CAPTURE(i);
+    const BezierIntersections result = square.intersect(curves[i]);
+    CHECK(result.status == Status::certified);
+    CHECK(result.overlap.empty());
+    CHECK(result.points.size() == 1);
+    CHECK(has(result, {expected[i].begin(), expected[i].end()}, 1));
+  }
+  // Beside it, and along a border.
+  CHECK(square.intersect({{{0, 2.5, 0, 1}, {2.5, 0, 0, 1}}}).points.empty());
+  const BezierIntersections both = square.intersect({{{-3, -1, 0, 1}, {0, -1, 0, 1}}});
+  CHECK(both.status == Status::infinite);
+  CHECK(both.points.empty());
+  REQUIRE(both.overlap.size() == 1);
+  CHECK(both.overlap[0][0] == doctest::Approx(2.0 / 3));
+}
+
 TEST_CASE("Bezier intersection: each sheet of the patch is a point of its own") {
   const BezierCurve line{{{2, 0, 0.25, 1}, {4, 0, 0.75, 1}}};
   const BezierIntersections one_sheet = BezierIntersector(crossing_sheets(0.5)).intersect(line);
