@@ -15,7 +15,8 @@ namespace eliminant::bridge {
 struct IsolatedZero {
   /// Of the first, then of the second; the third is 0 for two curves.
   std::array<double, 3> parameters{};
-  /// Each parameter is wrong by at most that.
+  /// Each parameter is wrong by at most that: about the rounding of the control points times the condition of the zero,
+  /// and below 2^-26.
   double radius = 0;
   /// There is no other zero whose parameters all differ by at most that.
   double isolation = 0;

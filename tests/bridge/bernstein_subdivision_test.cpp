@@ -54,7 +54,7 @@ bool are_these(const SubdivisionResult& found, const std::vector<std::vector<Rat
   if (!found.complete || !found.open.empty() || found.zeros.size() != expected.size()) return false;
   return std::all_of(expected.begin(), expected.end(), [&](const std::vector<Rational>& parameters) {
     return std::count_if(found.zeros.begin(), found.zeros.end(), [&](const IsolatedZero& zero) {
-             return holds(zero, parameters) && zero.radius < 1e-9 && zero.isolation > zero.radius;
+             return holds(zero, parameters) && zero.radius < 0x1p-26 && zero.isolation > zero.radius;
            }) == 1;
   });
 }
