@@ -16,6 +16,12 @@ using HomogeneousPoint = std::array<double, 4>;
 /// The same of rational numbers.
 using ExactPoint = std::array<symbolic::Rational, 4>;
 
+/// Control points in rational numbers, on [0, 1] or [0, 1]^2, the last parameter running fastest.
+struct ExactNet {
+  std::vector<std::size_t> degrees;
+  std::vector<ExactPoint> points;
+};
+
 /// The control points of a Bezier curve on [0, 1] or of a tensor-product patch on [0, 1]^2 in hardware doubles, moved
 /// by a translation, each with a bound of its error.
 struct ControlNet {

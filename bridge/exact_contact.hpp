@@ -12,12 +12,6 @@
 
 namespace eliminant::bridge {
 
-/// Control points in rational numbers, on [0, 1] or [0, 1]^2, the last parameter running fastest.
-struct ExactNet {
-  std::vector<std::size_t> degrees;
-  std::vector<ExactPoint> points;
-};
-
 /// A common point at rational parameters, proven by exact substitution.
 struct RationalZero {
   /// Of the first, then of the second; the third is 0 for two curves.
