@@ -36,9 +36,9 @@ struct CurveSolution {
   std::vector<std::vector<Parameter>> surface_parameters;
   /// A squarefree polynomial over Z of which t is a root, where the engine had one.
   std::optional<symbolic::UnivariatePolynomial> t_polynomial;
-  /// Intersection multiplicity of the curve (at this parameter) with the surface or the other curve. From the box
-  /// engine with the sheet of the patch near the parameters listed; other engines count every sheet through the point,
-  /// also where its parameters are beyond the patch.
+  /// Intersection multiplicity of the curve (at this parameter) with the surface or the other curve; of a patch with
+  /// its sheets at the parameters listed. Where the curve touches one of several sheets, the matrix engines count every
+  /// sheet of the surface through the point, also beyond the patch.
   /// Of a curve with itself: of the two branches, of a cusp the delta invariant of its branch; of an equation the
   /// Milnor number.
   unsigned long multiplicity = 1;

@@ -232,6 +232,11 @@ class PiecePair {
         inside = on_collapsed_border(point) ? Answer::yes : Answer::unknown;
       warn("not all parameters of a point of the surface could be proven; those that are not are left out");
     }
+    // Several parameters are each proven to be transversal: of a patch only its own sheets count, where all of them
+    // are.
+    if (surface_.piece.region && inside == Answer::yes && preimages->proven && preimages->kernel_dimension > 1 &&
+        solution.multiplicity == preimages->parameters.size())
+      solution.multiplicity = static_cast<unsigned long>(solution.surface_parameters.size());
     if (options_.engine == Engine::pencil) solution.eigenvalue_multiplicity = eigenvalue_multiplicity(point);
     if (inside == Answer::unknown) {
       solution.certified = false;
