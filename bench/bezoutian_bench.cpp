@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <eliminant/symbolic/elimination/bezoutian_determinant.hpp>
+#include <eliminant/symbolic/elimination/bezoutian_eliminant.hpp>
 #include <eliminant/symbolic/matrices/bezoutian_matrix.hpp>
 
 #include "setup.hpp"
@@ -74,6 +75,21 @@ void self_intersection_determinant(benchmark::State& state) {
   count_terms(state, d);
 }
 
+/// The determinant, its factors and what lies above them.
+void intersection_eliminant(benchmark::State& state) {
+  const Pair pair(state);
+  symbolic::Polynomial curve(2);
+  for (auto _ : state) curve = symbolic::intersection_eliminant(pair.first, pair.second, seed, Context()).curve;
+  count_terms(state, curve);
+}
+
+void self_intersection_eliminant(benchmark::State& state) {
+  const Pair pair(state);
+  symbolic::Polynomial curve(2);
+  for (auto _ : state) curve = symbolic::self_intersection_eliminant(pair.first, seed, Context()).curve;
+  count_terms(state, curve);
+}
+
 void degrees_and_bits(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgNames({"degree", "bits", "rational"})->Unit(benchmark::kMillisecond);
   for (const long degree : {2, 3})
@@ -85,5 +101,7 @@ BENCHMARK(intersection_matrix)->Apply(degrees_and_bits);
 BENCHMARK(self_intersection_matrix)->Apply(degrees_and_bits);
 BENCHMARK(intersection_determinant)->Apply(degrees_and_bits);
 BENCHMARK(self_intersection_determinant)->Apply(degrees_and_bits);
+BENCHMARK(intersection_eliminant)->Apply(degrees_and_bits);
+BENCHMARK(self_intersection_eliminant)->Apply(degrees_and_bits);
 
 }  // namespace

@@ -181,11 +181,16 @@ struct Degrees {
   std::size_t t = 0;
 };
 
-/// A principal minor by interpolation: everything that does not depend on the prime.
+/// A minor by interpolation: everything that does not depend on the prime.
 class MinorInterpolation {
  public:
-  MinorInterpolation(const SeparatedBezoutian& matrix, const std::vector<std::size_t>& rows)
-      : matrix_(matrix), rows_(rows), degrees_{degree(true), degree(false)}, bits_(coefficient_bits()) {}
+  MinorInterpolation(const SeparatedBezoutian& matrix, const std::vector<std::size_t>& rows,
+                     const std::vector<std::size_t>& columns)
+      : matrix_(matrix),
+        rows_(rows),
+        columns_(columns),
+        degrees_{degree(true), degree(false)},
+        bits_(coefficient_bits()) {}
 
   /// A bound of the degrees from elsewhere.
   void limit_degrees(Degrees most) { degrees_ = {std::min(degrees_.u, most.u), std::min(degrees_.t, most.t)}; }
@@ -210,7 +215,7 @@ class MinorInterpolation {
     long sum = 0;
     for (const std::size_t row : rows_) {
       long largest = 0;
-      for (const std::size_t column : rows_)
+      for (const std::size_t column : columns_)
         largest = std::max(largest, in_u ? degree_of(first(row, column)) : degree_of(second(row, column)));
       sum += largest;
     }
@@ -229,7 +234,7 @@ class MinorInterpolation {
     Integer squared(1);
     for (const std::size_t row : rows_) {
       Integer sum;
-      for (const std::size_t column : rows_) {
+      for (const std::size_t column : columns_) {
         Integer norm;
         for (std::size_t c = 0; c < coordinates; ++c)
           norm = norm + norm_of(first(row, column)[c]) * norm_of(second(row, column)[c]);
@@ -260,22 +265,34 @@ class MinorInterpolation {
         m, [&](std::size_t i, std::size_t j) -> const LineCoordinates& { return matrix_.second_lines(i, j); },
         degrees_.t + 1, field);
     ModularMatrix values(static_cast<long>(degrees_.u) + 1, static_cast<long>(degrees_.t) + 1, field);
-    SymmetricElimination elimination(rows_.size(), field);
+    const bool symmetric = rows_ == columns_;
+    SymmetricElimination elimination(symmetric ? rows_.size() : 0, field);
+    const auto size = static_cast<long>(rows_.size());
+    ModularMatrix whole(size, size, field);
     Residues entries(first.pairs() * second.pairs());
-    Residues denominators(degrees_.t + 1);
+    const auto entry = [&](std::size_t i, std::size_t j) {
+      return entries[pair_index(rows_[i] % n, columns_[j] % n, n) * second.pairs() +
+                     pair_index(rows_[i] / n, columns_[j] / n, m)];
+    };
+    Residues denominators(degrees_.t + 1, 1);
     for (std::size_t u = 0; u <= degrees_.u; ++u) {
       for (std::size_t t = 0; t <= degrees_.t; ++t) {
         for (std::size_t a = 0; a < first.pairs(); ++a)
           for (std::size_t b = 0; b < second.pairs(); ++b)
             entries[a * second.pairs() + b] = incidence(first.at(u, a), second.at(t, b), field.modulus());
+        mp_limb_t& value = values(static_cast<long>(u), static_cast<long>(t));
         for (std::size_t i = 0; i < rows_.size(); ++i)
-          for (std::size_t j = i; j < rows_.size(); ++j)
-            elimination(i, j) = entries[pair_index(rows_[i] % n, rows_[j] % n, n) * second.pairs() +
-                                        pair_index(rows_[i] / n, rows_[j] / n, m)];
-        const SymmetricElimination::Fraction value = elimination.determinant();
-        values(static_cast<long>(u), static_cast<long>(t)) = value.numerator;
-        denominators[t] = value.denominator;
+          for (std::size_t j = symmetric ? i : 0; j < rows_.size(); ++j)
+            (symmetric ? elimination(i, j) : whole(static_cast<long>(i), static_cast<long>(j))) = entry(i, j);
+        if (symmetric) {
+          const SymmetricElimination::Fraction fraction = elimination.determinant();
+          value = fraction.numerator;
+          denominators[t] = fraction.denominator;
+        } else {
+          value = nmod_mat_det(whole.get());
+        }
       }
+      if (!symmetric) continue;
       invert_all(denominators, field);
       for (std::size_t t = 0; t <= degrees_.t; ++t) {
         mp_limb_t& value = values(static_cast<long>(u), static_cast<long>(t));
@@ -321,6 +338,7 @@ class MinorInterpolation {
 
   const SeparatedBezoutian& matrix_;
   std::vector<std::size_t> rows_;
+  std::vector<std::size_t> columns_;
   Degrees degrees_;
   unsigned long bits_;
 };
@@ -333,13 +351,23 @@ std::vector<std::size_t> indices(std::size_t first, std::size_t end) {
 
 }  // namespace
 
+Polynomial minor(const SeparatedBezoutian& matrix, const std::vector<std::size_t>& rows,
+                 const std::vector<std::size_t>& columns, std::uint64_t seed, const Context& context) {
+  if (rows.size() != columns.size())
+    throw InvalidInput("a minor of " + std::to_string(rows.size()) + " rows and " + std::to_string(columns.size()) +
+                           " columns was asked for",
+                       "as many rows as columns");
+  for (const std::vector<std::size_t>* list : {&rows, &columns})
+    for (const std::size_t index : *list)
+      if (index >= matrix.size())
+        throw InvalidInput("index " + std::to_string(index) + " in a matrix of size " + std::to_string(matrix.size()),
+                           "an index below the size");
+  return MinorInterpolation(matrix, rows, columns).reconstruct(seed, context);
+}
+
 Polynomial principal_minor(const SeparatedBezoutian& matrix, const std::vector<std::size_t>& rows, std::uint64_t seed,
                            const Context& context) {
-  for (const std::size_t row : rows)
-    if (row >= matrix.size())
-      throw InvalidInput("row " + std::to_string(row) + " of a matrix of size " + std::to_string(matrix.size()),
-                         "an index below the size");
-  return MinorInterpolation(matrix, rows).reconstruct(seed, context);
+  return minor(matrix, rows, rows, seed, context);
 }
 
 Polynomial bezoutian_determinant(const SeparatedBezoutian& matrix, std::uint64_t seed, const Context& context) {
@@ -348,13 +376,15 @@ Polynomial bezoutian_determinant(const SeparatedBezoutian& matrix, std::uint64_t
 
 Polynomial self_intersection_determinant(const SeparatedBezoutian& matrix, std::uint64_t seed, const Context& context) {
   if (matrix.size() < 2) return Polynomial::constant(2, 1);
-  MinorInterpolation minor(matrix, indices(1, matrix.size()));
+  const std::vector<std::size_t> rows = indices(1, matrix.size());
+  MinorInterpolation interpolation(matrix, rows, rows);
   // The minor without the last row is the same times u^(2 (m - 1)) v^(2 (n - 1)).
-  const Degrees last = MinorInterpolation(matrix, indices(0, matrix.size() - 1)).degrees();
+  const std::vector<std::size_t> others = indices(0, matrix.size() - 1);
+  const Degrees last = MinorInterpolation(matrix, others, others).degrees();
   const std::size_t of_u = 2 * (matrix.second_degree() - 1);
   const std::size_t of_t = 2 * (matrix.first_degree() - 1);
-  minor.limit_degrees({last.u > of_u ? last.u - of_u : 0, last.t > of_t ? last.t - of_t : 0});
-  return minor.reconstruct(seed, context);
+  interpolation.limit_degrees({last.u > of_u ? last.u - of_u : 0, last.t > of_t ? last.t - of_t : 0});
+  return interpolation.reconstruct(seed, context);
 }
 
 GenericRank generic_rank_modulo(const SeparatedBezoutian& matrix, std::uint64_t seed) {

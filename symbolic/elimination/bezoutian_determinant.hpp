@@ -13,7 +13,12 @@ namespace eliminant::symbolic {
 /// The minor of B(u, t) of the rows and columns with these indices, in Z[u, t] (u is variable 0). Exact and proven: by
 /// evaluation and interpolation in both variables modulo primes, as many as Hadamard's inequality asks for, applied to
 /// the 1-norms of the entries (which bound them on |u| = |t| = 1, hence by Cauchy the coefficients of the minor).
-/// Throws InvalidInput for an index that is too large, and LimitReached where the coefficients would not fit in memory.
+/// Throws InvalidInput for an index that is too large or unequal numbers of rows and columns, and LimitReached where
+/// the coefficients would not fit in memory.
+Polynomial minor(const SeparatedBezoutian& matrix, const std::vector<std::size_t>& rows,
+                 const std::vector<std::size_t>& columns, std::uint64_t seed, const Context& context);
+
+/// The same with equal rows and columns, quicker.
 Polynomial principal_minor(const SeparatedBezoutian& matrix, const std::vector<std::size_t>& rows, std::uint64_t seed,
                            const Context& context);
 
