@@ -2,7 +2,6 @@
 #include <eliminant/symbolic/elimination/bezoutian_eliminant.hpp>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
@@ -10,8 +9,8 @@
 #include <eliminant/symbolic/elimination/bezoutian_determinant.hpp>
 #include <eliminant/symbolic/elimination/bezoutian_minors.hpp>
 #include <eliminant/symbolic/elimination/bivariate_factors.hpp>
+#include <eliminant/symbolic/elimination/component_observer.hpp>
 #include <eliminant/symbolic/elimination/component_proofs.hpp>
-#include <eliminant/symbolic/elimination/curve_meetings.hpp>
 #include <eliminant/symbolic/elimination/representation_minors.hpp>
 #include <eliminant/symbolic/elimination/surface_overlap.hpp>
 #include <eliminant/symbolic/geometry/image_dimension.hpp>
@@ -20,101 +19,6 @@
 namespace eliminant::symbolic {
 
 namespace {
-
-/// A point (u, t) of a plane over a prime field.
-struct PlanePoint {
-  mp_limb_t u = 0;
-  mp_limb_t t = 0;
-};
-
-std::optional<mp_limb_t> some_root(const ModularPolynomial& f) {
-  if (f.degree() < 1) return std::nullopt;
-  nmod_poly_factor_t roots;
-  nmod_poly_factor_init(roots);
-  nmod_poly_roots(roots, f.get(), 0);
-  std::optional<mp_limb_t> root;
-  if (roots->num > 0) root = nmod_neg(nmod_poly_get_coeff_ui(roots->p, 0), roots->p->mod);
-  nmod_poly_factor_clear(roots);
-  return root;
-}
-
-/// f with `value` in place of variable `index`.
-ModularPolynomial restricted(const Polynomial& f, std::size_t index, mp_limb_t value, const PrimeField& field) {
-  const HiddenVariablePolynomial hidden = hide_variable(f, index);
-  ModularPolynomial result(field);
-  ModularPolynomial coefficient(field);
-  for (std::size_t k = 0; k < hidden.coefficients.size(); ++k) {
-    fmpz_poly_get_nmod_poly(coefficient.get(), hidden.coefficients[k].get());
-    nmod_poly_set_coeff_ui(result.get(), static_cast<slong>(k), nmod_poly_evaluate_nmod(coefficient.get(), value));
-  }
-  return result;
-}
-
-/// What is seen above one point, and whether it is the same point of space above another one.
-struct Observation {
-  CurveMeetings meetings;
-  bool one_image = false;
-};
-
-/// Looks at the common points above points (u, t) modulo primes.
-class Observer {
- public:
-  Observer(const RationalSurface& first, const RationalSurface& second, bool self, std::uint64_t seed)
-      : first_(first), second_(second), self_(self), seed_(seed) {}
-
-  /// Above a general point of the plane.
-  CurveMeetings anywhere(std::uint64_t round) const {
-    const PrimeField field(PrimeSequence(mix(seed_, round)).next());
-    return above({mix(seed_, round + 100) % field.prime(), mix(seed_, round + 200) % field.prime()}, field, round);
-  }
-
-  /// Above a general point of the curve f = 0; nullopt when no rational point of it was found.
-  std::optional<Observation> on(const Polynomial& f, std::uint64_t round) const {
-    PrimeSequence primes(mix(seed_, round + 300));
-    constexpr std::uint64_t most_trials = 2000;
-    for (std::uint64_t trial = 0; trial < most_trials; ++trial) {
-      const PrimeField field(primes.next());
-      const mp_limb_t free = mix(seed_ + round, trial) % field.prime();
-      const std::size_t fixed = f.degree(1) > 0 ? 0 : 1;
-      const std::optional<mp_limb_t> root = some_root(restricted(f, fixed, free, field));
-      if (!root) continue;
-      const auto point = [&](mp_limb_t other) {
-        return fixed == 0 ? PlanePoint{other, *root} : PlanePoint{*root, other};
-      };
-      Observation result{above(point(free), field, round), false};
-      if (f.degree(0) > 0 && f.degree(1) > 0) return result;
-      // On a line of the plane the other coordinate moves.
-      const mp_limb_t elsewhere = mix(seed_ + round, trial + most_trials) % field.prime();
-      const CurveMeetings moved = above(point(elsewhere), field, round);
-      result.one_image = !moved.images.empty() && moved.images == result.meetings.images;
-      return result;
-    }
-    return std::nullopt;
-  }
-
- private:
-  static ModularCurve curve_at(const RationalSurface& surface, std::size_t kept, mp_limb_t value,
-                               const PrimeField& field) {
-    ModularCurve curve(static_cast<std::size_t>(surface.bidegree()[1 - kept]) + 1, {0, 0, 0, 0});
-    for (std::size_t k = 0; k < 4; ++k) {
-      const ModularPolynomial coordinate = restricted(surface.coordinates()[(k + 3) % 4], kept, value, field);
-      for (long e = 0; e <= coordinate.degree(); ++e)
-        curve[static_cast<std::size_t>(e)][k] = nmod_poly_get_coeff_ui(coordinate.get(), e);
-    }
-    return curve;
-  }
-
-  CurveMeetings above(const PlanePoint& point, const PrimeField& field, std::uint64_t round) const {
-    const std::optional<TrivialPair> trivial = self_ ? std::optional<TrivialPair>({point.t, point.u}) : std::nullopt;
-    return curve_meetings(curve_at(first_, 0, point.u, field), curve_at(second_, 1, point.t, field), trivial, field,
-                          mix(seed_, round + 400), mix(seed_, round + 500));
-  }
-
-  const RationalSurface& first_;
-  const RationalSurface& second_;
-  bool self_;
-  std::uint64_t seed_;
-};
 
 bool has_constant_weight(const RationalSurface& surface) { return surface.coordinates()[3].is_constant(); }
 
@@ -194,7 +98,7 @@ class Classification {
   bool self_;
   std::uint64_t seed_;
   const Context& context_;
-  Observer observer_;
+  ComponentObserver observer_;
   CurveMeetings general_;
 };
 
@@ -278,6 +182,8 @@ BezoutianEliminant intersection_eliminant(const RationalSurface& first, const Ra
     result.divisor = minors.gcd;
   }
   decompose(result, matrix, first, second, false, seed, context);
+  if (is_two_dimensional(first) && is_two_dimensional(second))
+    result.stationary = stationary_components(first, second, seed, context);
   return result;
 }
 
@@ -297,6 +203,7 @@ BezoutianEliminant self_intersection_eliminant(const RationalSurface& surface, s
     result.divisor = minors.gcd;
   }
   decompose(result, matrix, surface, surface, true, seed, context);
+  if (is_two_dimensional(surface)) result.stationary = stationary_components(surface, surface, seed, context);
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/symbolic/arithmetic/polynomial.hpp>
+#include <eliminant/symbolic/elimination/stationary_components.hpp>
 #include <eliminant/symbolic/geometry/rational_surface.hpp>
 
 namespace eliminant::symbolic {
@@ -61,6 +62,8 @@ struct BezoutianEliminant {
   std::vector<EliminantComponent> components;
   /// The product of the factors of kind `curve`, each once: the projection of the curve, squarefree.
   Polynomial curve{2};
+  /// Where common curves may hide from the projection.
+  StationaryComponents stationary;
 };
 
 /// The eliminant of Phi(u, v) = Psi(s, t) with v and s eliminated, its components told apart by what lies above them.

@@ -243,6 +243,8 @@ CurveMeetings curve_meetings(const ModularCurve& first, const ModularCurve& seco
     g[k] = projection.next();
   }
   result.images = ratios_on_roots(meetings, combination(a, f, field), combination(a, g, field), field);
+  result.parameters = ratios_on_roots(meetings, linear(first_change.a, first_change.b, field),
+                                      linear(first_change.c, first_change.d, field), field);
   return result;
 }
 

@@ -25,6 +25,9 @@ struct CurveMeetings {
   long at_infinity = 0;
   /// Monic, its roots the values at the common points of the ratio of two linear forms, which `projection_seed` fixes.
   std::vector<mp_limb_t> images;
+  /// The parameters of the first curve at common points, as the roots of a polynomial, ascending coefficients; the one
+  /// at infinity is left out. Empty where there are none.
+  std::vector<mp_limb_t> parameters;
 };
 
 /// A pair of parameters that does not count.

@@ -219,6 +219,29 @@ TEST_CASE("Bezoutian eliminant: maps that cover a surface twice, or only a curve
   CHECK(line.vanishing == DeterminantVanishing::no_surface);
 }
 
+TEST_CASE("Bezoutian eliminant: a common border of two patches is a point of the projection") {
+  // Phi(0, v) = (0, v, v^2) = Psi(v, 1).
+  const RationalSurface phi = first_surface({"1", "u", "v", "v^2 + u*v"});
+  const RationalSurface psi = second_surface({"1", "(t - 1)*(3 - s)", "s + 2*(t - 1)", "s^2 - (t - 1)^2 + (t - 1)*s"});
+  const BezoutianEliminant eliminant = intersection(phi, psi);
+  REQUIRE(eliminant.stationary.u.size() == 1);
+  REQUIRE(eliminant.stationary.t.size() == 1);
+  CHECK(eliminant.stationary.u.front() == UnivariatePolynomial({Integer(0), Integer(1)}));
+  CHECK(eliminant.stationary.t.front() == UnivariatePolynomial({Integer(-1), Integer(1)}));
+  const std::vector<Polynomial> at{Polynomial::constant(1, Rational(0)), Polynomial::constant(1, Rational(1))};
+  CHECK(eliminant.determinant.compose(at).is_zero());
+  // Moved away from each other in space there is none.
+  const RationalSurface moved =
+      second_surface({"1", "(t - 1)*(3 - s)", "s + 2*(t - 1)", "s^2 - (t - 1)^2 + (t - 1)*s + 1"});
+  CHECK(intersection(phi, moved).stationary.empty());
+  // A common border of equal kind, Phi(0, v) = Psi(0, t), is the line u = 0.
+  const BezoutianEliminant line = intersection(phi, second_surface({"1", "s*(t + 2)", "t + s", "t^2 + 5s"}));
+  CHECK(line.stationary.empty());
+  CHECK(std::any_of(line.components.begin(), line.components.end(), [](const EliminantComponent& component) {
+    return component.factor == parsed("u", kept_parameters()) && component.kind == Kind::curve;
+  }));
+}
+
 TEST_CASE("Bezoutian eliminant: planted common points are on the curve, random surfaces have one component") {
   Random random(31);
   for (const auto& [m, n, other_m, other_n] :
@@ -236,6 +259,7 @@ TEST_CASE("Bezoutian eliminant: planted common points are on the curve, random s
       REQUIRE(eliminant.components.size() == 1);
       CHECK(eliminant.components.front().kind == Kind::curve);
       CHECK(eliminant.components.front().irreducible);
+      CHECK(eliminant.stationary.empty());
       const std::vector<Polynomial> at{Polynomial::constant(1, Rational(2)), Polynomial::constant(1, Rational(-1))};
       CHECK(eliminant.curve.compose(at).is_zero());
       const std::vector<Polynomial> beside{Polynomial::constant(1, Rational(2)), Polynomial::constant(1, Rational(1))};

@@ -34,6 +34,7 @@ TEST_CASE("curve meetings: a twisted cubic and its chords, tangents and other li
   CHECK(chord.finite == 2);
   CHECK(chord.at_infinity == 0);
   CHECK(chord.images.size() == 3);
+  CHECK(chord.parameters == std::vector<mp_limb_t>{2, field.reduce(-3L), 1});  // (v - 1)(v - 2)
   CHECK_FALSE(chord.infinite);
   CHECK(meetings(cubic, curve_of({{1, 1, 1, 1}, {0, 1, 2, 3}})).finite == 1);  // the tangent at v = 1
   CHECK(meetings(cubic, curve_of({{1, 5, 0, 1}, {0, 1, 3, 8}})).finite == 0);
