@@ -44,7 +44,7 @@ class Classification {
     long at_infinity = 0;
     bool one_image = true;
     bool base_points = true;
-    for (const std::uint64_t round : {1, 2}) {
+    for (const std::uint64_t round : {1UL, 2UL}) {
       const std::optional<Observation> seen = observer_.on(factor.factor, round);
       if (!seen || seen->meetings.infinite) return result;
       finite = std::max(finite, seen->meetings.finite - general_.finite);
@@ -78,13 +78,13 @@ class Classification {
   static bool is_bivariate(const Polynomial& f) { return f.degree(0) > 0 && f.degree(1) > 0; }
 
   bool at_infinity_proven(const Polynomial& f) const {
-    for (const std::size_t index : {0, 1})
+    for (const std::size_t index : {0UL, 1UL})
       if (f.degree(1 - index) == 0 && divides_weight(index == 0 ? first_ : second_, f)) return true;
     return !self_ && proves_weight_zero(matrix_, first_, second_, f, seed_, context_);
   }
 
   bool base_points_proven(const Polynomial& f) const {
-    for (const std::size_t index : {0, 1})
+    for (const std::size_t index : {0UL, 1UL})
       if (f.degree(1 - index) == 0) {
         const HiddenVariablePolynomial univariate = hide_variable(f, index);
         return has_base_point_above(index == 0 ? first_ : second_, index, univariate.coefficients.front(), context_);

@@ -45,8 +45,8 @@ struct EliminantComponent {
   /// the rank of the matrix falls by more than one, and points at infinity of self-intersections that are not a curve
   /// of parameters at infinity.
   bool proven = false;
-  /// Parameters of the first surface at finite common points above a general point of the component. More than one:
-  /// the projection to the kept parameters is not one to one, and the multiplicity at least that many.
+  /// Finite common points above a general point of the component, by their parameters on the surface where these are
+  /// more. With k of them the projection to the kept parameters is k to 1, and the multiplicity at least k.
   long meetings = 0;
 };
 

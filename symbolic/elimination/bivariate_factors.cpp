@@ -109,7 +109,7 @@ std::vector<BivariateFactor> bivariate_factors(const Polynomial& p, FactorDepth 
                        "a polynomial in two variables that is not zero");
   std::vector<BivariateFactor> result;
   Polynomial rest = p.primitive_part();
-  for (const std::size_t index : {0, 1}) {
+  for (const std::size_t index : {0UL, 1UL}) {
     const UnivariatePolynomial content = content_in(rest, index);
     if (content.degree() < 1) continue;
     add_univariate_factors(result, content, index);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/symbolic/elimination/component_observer.hpp>
 
+#include <algorithm>
+
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
 
 namespace eliminant::symbolic {
@@ -86,9 +88,22 @@ std::optional<Observation> ComponentObserver::on(const Polynomial& f, std::uint6
 }
 
 CurveMeetings ComponentObserver::above(const PlanePoint& point, const PrimeField& field, std::uint64_t round) const {
-  const std::optional<TrivialPair> trivial = self_ ? std::optional<TrivialPair>({point.t, point.u}) : std::nullopt;
-  return curve_meetings(curve_at(first_, 0, point.u, field), curve_at(second_, 1, point.t, field), trivial, field,
-                        mix(seed_, round + 400), mix(seed_, round + 500));
+  const ModularCurve first = curve_at(first_, 0, point.u, field);
+  const ModularCurve second = curve_at(second_, 1, point.t, field);
+  std::optional<TrivialPair> trivial;
+  std::optional<TrivialPair> exchanged;
+  if (self_) {
+    trivial = {point.t, point.u};
+    exchanged = {point.u, point.t};
+  }
+  const std::uint64_t numbers = mix(seed_, round + 400);
+  const std::uint64_t projection = mix(seed_, round + 500);
+  CurveMeetings result = curve_meetings(first, second, trivial, field, numbers, projection);
+  // One parameter of the first curve may belong to several of the second.
+  const CurveMeetings other = curve_meetings(second, first, exchanged, field, numbers, projection);
+  result.finite = std::max(result.finite, other.finite);
+  result.at_infinity = std::max(result.at_infinity, other.at_infinity);
+  return result;
 }
 
 }  // namespace eliminant::symbolic

@@ -40,7 +40,7 @@ bool may_have_factor(const SeparatedBezoutian& matrix, std::uint64_t seed) {
   const PrimeField field(PrimeSequence(mix(seed, 11)).next());
   constexpr mp_limb_t range = mp_limb_t{1} << 30U;
   ModularPolynomial common(field);
-  for (const std::uint64_t k : {12, 13})
+  for (const std::uint64_t k : {12UL, 13UL})
     nmod_poly_gcd(common.get(), common.get(), determinant_on_line(matrix, mix(seed, k) % range, field).get());
   return common.degree() != 0;
 }

@@ -144,6 +144,21 @@ TEST_CASE("Bezoutian eliminant: two lifts over each point make the factor double
   }
 }
 
+TEST_CASE("Bezoutian eliminant: a map that covers its surface twice makes the eliminant a square") {
+  Random random(34);
+  const RationalSurface phi = random_surface(random, 2, 2, true, 9);
+  const RationalSurface once = random_surface(random, 1, 2, true, 9);
+  std::vector<Polynomial> twice;
+  const std::vector<Polynomial> images{power(Polynomial::variable(2, 0), 2), Polynomial::variable(2, 1)};
+  for (const Polynomial& coordinate : once.coordinates()) twice.push_back(coordinate.compose(images));
+  const BezoutianEliminant eliminant =
+      intersection(phi, RationalSurface(RationalSurface::Kind::tensor_product, std::move(twice)));
+  REQUIRE(eliminant.components.size() == 1);
+  CHECK(eliminant.components.front().multiplicity == 2);
+  CHECK(eliminant.components.front().meetings == 2);
+  CHECK(eliminant.curve == intersection(phi, once).curve);
+}
+
 TEST_CASE("Bezoutian eliminant: Villarceau's circles are two components, a plane of another slope cuts one curve") {
   // The torus of radii 5 and 3 and the planes z = 3 x / 4 and z = 2 x / 3.
   const RationalSurface torus =
