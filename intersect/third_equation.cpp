@@ -2,6 +2,7 @@
 #include <eliminant/intersect/third_equation.hpp>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include <eliminant/intersect/parameter_roots.hpp>
@@ -47,15 +48,20 @@ KeptSolutions solutions_of_third(const PlaneCurvesProblem& problem, const Polyno
                                  const std::vector<Solution>& solutions, std::uint64_t seed, const Context& context) {
   KeptSolutions kept;
   std::optional<symbolic::UnivariateRepresentation> representation;
-  std::vector<UnivariatePolynomial> vanishing;
+  std::map<std::size_t, UnivariatePolynomial> vanishing;
+  // Of the classes that have such solutions alone: that of the simple ones may be large.
+  const auto vanishing_factor = [&](std::size_t k) -> const UnivariatePolynomial& {
+    const auto known = vanishing.find(k);
+    if (known != vanishing.end()) return known->second;
+    symbolic::UnivariateRepresentation one = *representation;
+    one.classes = {representation->classes[k]};
+    return vanishing.emplace(k, symbolic::vanishing_factors(one, third).front()).first->second;
+  };
   for (const Solution& s : solutions) {
     const long precision_bits = std::min(acb_rel_accuracy_bits(s.x.ball.get()), acb_rel_accuracy_bits(s.y.ball.get()));
     const long working_bits = 2 * std::clamp(precision_bits, 64L, 1L << 20) + 64;
     if (acb_contains_zero(evaluate(third, s.x.ball, s.y.ball, working_bits).get()) == 0) continue;
-    if (!representation) {
-      representation = representation_of(problem, seed, context);
-      vanishing = symbolic::vanishing_factors(*representation, third);
-    }
+    if (!representation) representation = representation_of(problem, seed, context);
     // The solution belongs to the class of its multiplicity; there one of two coprime factors vanishes.
     ComplexBall t;
     acb_mul_si(t.get(), s.y.ball.get(), representation->shear, working_bits);
@@ -63,7 +69,7 @@ KeptSolutions solutions_of_third(const PlaneCurvesProblem& problem, const Polyno
     for (std::size_t k = 0; k < representation->classes.size(); ++k) {
       const symbolic::SquarefreeFactor& part = representation->classes[k];
       if (part.multiplicity != s.multiplicity) continue;
-      const UnivariatePolynomial& common = vanishing[k];
+      const UnivariatePolynomial& common = vanishing_factor(k);
       if (common.degree() < 1) continue;
       UnivariatePolynomial rest;
       fmpz_poly_div(rest.get(), part.factor.get(), common.get());
