@@ -51,14 +51,13 @@ class GraphBuilder {
  private:
   /// Slab i is to the left of event i; with a box there is none before the first and behind the last event.
   void sample(const std::vector<EventFibre>& fibres) {
-    double width = 1;
     if (fibres.size() > 1)
-      width = std::max(approximation(fibres.back().x) - approximation(fibres.front().x), 1e-300);
+      width_ = std::max(approximation(fibres.back().x) - approximation(fibres.front().x), 1e-300);
     for (std::size_t i = 0; i <= fibres.size(); ++i) {
       const EventFibre* const before = i > 0 ? &fibres[i - 1] : nullptr;
       const EventFibre* const after = i < fibres.size() ? &fibres[i] : nullptr;
       const bool outside = box_ && (before == nullptr || after == nullptr);
-      slabs_.push_back(outside ? SlabArcs() : sampler_.between(before, after, width));
+      slabs_.push_back(outside ? SlabArcs() : sampler_.between(before, after, width_));
       left_ends_.emplace_back(slabs_.back().count);
       right_ends_.emplace_back(slabs_.back().count);
     }
@@ -179,7 +178,7 @@ class GraphBuilder {
     end_at_infinity(fibre, 1, left, right, from_left, to_right);
     if (from_left != slabs_[left].count || to_right != slabs_[right].count)
       throw PrecisionExhausted("the arcs at an event do not match those between events");
-    for (std::size_t k = 0; k + 1 < on_line.size(); ++k) add_line_edge(on_line[k], on_line[k + 1]);
+    for (std::size_t k = 0; k + 1 < on_line.size(); ++k) add_line_edge(fibre, on_line[k], on_line[k + 1]);
   }
 
   static bool has_point_at(const EventFibre& fibre, Place place) {
@@ -198,11 +197,15 @@ class GraphBuilder {
       if (!box_) left_ends_[right].at(to_right).vertex = add_vertex_at_infinity(0, sign, &fibre.x);
   }
 
-  void add_line_edge(std::size_t from, std::size_t to) {
-    TopologyEdge edge{from, to, {}};
-    for (const std::size_t vertex : {from, to})
-      if (points_[vertex]) edge.polyline.push_back(*points_[vertex]);
-    result_.edges.push_back(std::move(edge));
+  /// A part of a vertical line; what is unbounded is drawn as long as the events are apart.
+  void add_line_edge(const EventFibre& fibre, std::size_t from, std::size_t to) {
+    const auto drawn = [&](std::size_t vertex, std::size_t other) {
+      if (points_[vertex]) return *points_[vertex];
+      RealBall y;
+      arb_set_d(y.get(), result_.vertices[vertex].y_infinite * width_ + (points_[other] ? (*points_[other])[1] : 0));
+      return sampler_.nearest(fibre.x, y);
+    };
+    result_.edges.push_back({from, to, {drawn(from, to), drawn(to, from)}});
   }
 
   /// Every arc inside begins at a vertex or continues one that does.
@@ -281,6 +284,8 @@ class GraphBuilder {
   const Options& options_;
   SlabSampler sampler_;
   TopologyResult& result_;
+  /// Of the part of unbounded arcs that is drawn.
+  double width_ = 1;
   std::vector<SlabArcs> slabs_;
   std::vector<std::vector<ArcEnd>> left_ends_;
   std::vector<std::vector<ArcEnd>> right_ends_;

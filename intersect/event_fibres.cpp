@@ -334,10 +334,8 @@ class EventSearch {
 
 EventFibres event_fibres(const symbolic::ReducedCurve& curve, const std::optional<Box>& box, const Options& options,
                          const Context& context) {
-  constexpr int most_doublings = 8;
-  constexpr long fewest_digits = 15;
+  constexpr int most_doublings = 10;
   Options more = options;
-  more.digits = std::max(options.digits, fewest_digits);
   for (int doubling = 0; doubling <= most_doublings; ++doubling, more.digits *= 2) {
     try {
       return EventSearch(curve, box, more, context).run();
