@@ -166,8 +166,7 @@ class FibreSeparation {
       const Rational middle = exact_midpoint(multiple[order[i]].y);
       Rational room = result_.bound - (middle.sign() < 0 ? -middle : middle);
       if (i > 0) room = std::min(room, middle - exact_midpoint(multiple[order[i - 1]].y), std::less<>());
-      if (i + 1 < order.size())
-        room = std::min(room, exact_midpoint(multiple[order[i + 1]].y) - middle, std::less<>());
+      if (i + 1 < order.size()) room = std::min(room, exact_midpoint(multiple[order[i + 1]].y) - middle, std::less<>());
       if (room.sign() <= 0) {
         result_.state = FibreIsolation::State::wide_points;
         return false;
@@ -279,8 +278,8 @@ RealBall refine_simple_root(const HiddenVariablePolynomial& g, const RealBall& a
     arb_sub(next.get(), center.get(), next.get(), precision_bits);
     RealBall common;
     Rational goal = exact_radius(root) * Rational(3) / Rational(4);
-    const bool meets = arb_is_finite(next.get()) != 0 &&
-                       arb_intersection(common.get(), root.get(), next.get(), precision_bits) != 0;
+    const bool meets =
+        arb_is_finite(next.get()) != 0 && arb_intersection(common.get(), root.get(), next.get(), precision_bits) != 0;
     if (!meets || goal < exact_radius(common)) {
       // Newton's method is not there yet: the half with the change of sign.
       const int sign = sign_of(value);
@@ -323,8 +322,7 @@ std::size_t RationalFibre::count_below(const Rational& y) {
 }
 
 const RealBall& RationalFibre::refined(std::size_t index, long relative_bits) {
-  if (arb_is_exact(roots_[index].get()) == 0)
-    refine_real_root(polynomial_, roots_[index], relative_bits, context_);
+  if (arb_is_exact(roots_[index].get()) == 0) refine_real_root(polynomial_, roots_[index], relative_bits, context_);
   return roots_[index];
 }
 

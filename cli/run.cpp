@@ -15,6 +15,7 @@
 #include <eliminant/intersect/certificate_check.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
+#include <eliminant/intersect/curve_topology.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
@@ -24,6 +25,9 @@
 #include <eliminant/io/curve_result_csv.hpp>
 #include <eliminant/io/curve_result_json.hpp>
 #include <eliminant/io/curve_result_text.hpp>
+#include <eliminant/io/curve_topology_csv.hpp>
+#include <eliminant/io/curve_topology_json.hpp>
+#include <eliminant/io/curve_topology_text.hpp>
 #include <eliminant/io/error_report.hpp>
 #include <eliminant/io/implicitize_json.hpp>
 #include <eliminant/io/implicitize_text.hpp>
@@ -66,6 +70,7 @@ const char* kind_of(const intersect::CurveSurfaceProblem& /*problem*/) { return 
 const char* kind_of(const intersect::CurveCurveProblem& /*problem*/) { return "curve_curve"; }
 const char* kind_of(const intersect::SelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
 const char* kind_of(const intersect::ImplicitizeProblem& /*problem*/) { return "implicitize"; }
+const char* kind_of(const intersect::CurveTopologyProblem& /*problem*/) { return "curve_topology"; }
 
 void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
 
@@ -206,6 +211,15 @@ class Run {
     return exit_status(result.status);
   }
 
+  int solve(const intersect::CurveTopologyProblem& problem) {
+    refuse_certificate();
+    const intersect::TopologyResult result =
+        watched([&](const Context& context) { return intersect::curve_topology(problem, options_.solve, context); });
+    announce(result, "");
+    give(print(result));
+    return exit_status(result.status);
+  }
+
   static int exit_status(intersect::Status status) { return status == intersect::Status::incomplete ? 3 : 0; }
 
   // Says on standard error what is no part of the answer; `infinite` is what a table cannot show, or empty.
@@ -240,6 +254,18 @@ class Run {
         break;
     }
     return io::curve_result_text(result, options_);
+  }
+
+  std::string print(const intersect::TopologyResult& result) const {
+    switch (options_.format) {
+      case io::Format::json:
+        return io::curve_topology_json(result, id_);
+      case io::Format::csv:
+        return io::curve_topology_csv(result);
+      case io::Format::text:
+        break;
+    }
+    return io::curve_topology_text(result, options_);
   }
 
   void refuse_certificate() const {

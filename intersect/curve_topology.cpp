@@ -51,8 +51,7 @@ class GraphBuilder {
  private:
   /// Slab i is to the left of event i; with a box there is none before the first and behind the last event.
   void sample(const std::vector<EventFibre>& fibres) {
-    if (fibres.size() > 1)
-      width_ = std::max(approximation(fibres.back().x) - approximation(fibres.front().x), 1e-300);
+    if (fibres.size() > 1) width_ = std::max(approximation(fibres.back().x) - approximation(fibres.front().x), 1e-300);
     for (std::size_t i = 0; i <= fibres.size(); ++i) {
       const EventFibre* const before = i > 0 ? &fibres[i - 1] : nullptr;
       const EventFibre* const after = i < fibres.size() ? &fibres[i] : nullptr;
@@ -66,6 +65,7 @@ class GraphBuilder {
   std::size_t add_vertex_at_infinity(int x_infinite, int y_infinite, const RealBall* x) {
     TopologyVertex vertex;
     vertex.kind = VertexKind::infinity;
+    vertex.certified = options_.certify;
     vertex.x_infinite = x_infinite;
     vertex.y_infinite = y_infinite;
     if (x != nullptr) {
@@ -110,7 +110,7 @@ class GraphBuilder {
       vertex.x = point.critical->x;
       vertex.y = point.critical->y;
       vertex.radius_exponent = point.critical->radius_exponent;
-      vertex.certified = point.critical->certified;
+      vertex.certified = options_.certify && point.critical->certified;
     } else {
       set_point(vertex, fibre.x, point.y);
     }
@@ -123,7 +123,7 @@ class GraphBuilder {
     std::vector<Coordinate> printed = print({x, y}, vertex.radius_exponent);
     vertex.x = std::move(printed[0]);
     vertex.y = std::move(printed[1]);
-    vertex.certified = true;
+    vertex.certified = options_.certify;
   }
 
   /// A corner of a vertical line with the border of the box, where no other branch passes.
@@ -150,8 +150,8 @@ class GraphBuilder {
     const bool last = box_ && right + 1 == slabs_.size();
     if (fibre.vertical_line && !has_point_at(fibre, -1)) on_line.push_back(add_line_end(fibre, 0));
     for (const EventPoint& point : fibre.points) {
-      const bool is_vertex = is_inside(point.place) && (point.critical || fibre.vertical_line || point.place != 0 ||
-                                                        fibre.exact_x.has_value());
+      const bool is_vertex = is_inside(point.place) &&
+                             (point.critical || fibre.vertical_line || point.place != 0 || fibre.exact_x.has_value());
       std::optional<std::size_t> vertex;
       if (is_vertex) vertex = add_vertex(fibre, point);
       if (is_vertex && fibre.vertical_line) on_line.push_back(*vertex);

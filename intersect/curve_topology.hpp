@@ -97,8 +97,8 @@ struct TopologyResult {
 };
 
 /// The certified topology of a real plane curve, for any curve: vertical lines, vertical asymptotes, several critical
-/// points above one abscissa and any singularity are input like any other; repeated factors count once (with a warning).
-/// With a box the curve is cut at its border, which belongs to the box.
+/// points above one abscissa and any singularity are input like any other; repeated factors count once (with a
+/// warning). With a box the curve is cut at its border, which belongs to the box.
 ///
 /// Source: the cylindrical algorithm with boxes of [ChengEtAl2010], without change of coordinates: above the abscissae
 /// of the points with p = p_y = 0 multiplicities of fibres are found exactly, half-branches are counted on rational

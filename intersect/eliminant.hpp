@@ -7,6 +7,7 @@
 #include <eliminant/intersect/bezier_intersection.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
+#include <eliminant/intersect/curve_topology.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/plane_curves.hpp>

@@ -90,6 +90,8 @@ class EventSearch {
   };
 
   void find_critical_points() {
+    result_.engine.method = "none";
+    result_.engine.seed = options_.seed;
     if (g_.degree() < 2) return;
     PlaneCurvesProblem problem;
     problem.p = curve_.rest;
@@ -97,7 +99,15 @@ class EventSearch {
     Options real = options_;
     real.field = Field::real;
     real.certificate = false;
-    const Result solved = intersect_plane_curves(problem, real, context_);
+    real.certify = true;
+    Result solved = intersect_plane_curves(problem, real, context_);
+    if (solved.status == Status::numeric) {
+      // Arcs cannot be connected while critical points are missing.
+      real.engine = Engine::exact;
+      std::vector<std::string> warnings = std::move(solved.warnings);
+      solved = intersect_plane_curves(problem, real, context_);
+      solved.warnings.insert(solved.warnings.begin(), warnings.begin(), warnings.end());
+    }
     if (solved.status == Status::incomplete) throw LimitReached(*solved.limit);
     result_.status = solved.status;
     result_.engine = solved.engine;
@@ -112,8 +122,8 @@ class EventSearch {
     std::vector<Solution> left;
     for (const Solution& s : solutions) {
       const long precision_bits = 4 * bits_for_digits(options_.digits);
-      const bool smooth = s.multiplicity == 1 ||
-                          acb_contains_zero(evaluate(slope, s.x.ball, s.y.ball, precision_bits).get()) == 0;
+      const bool smooth =
+          s.multiplicity == 1 || acb_contains_zero(evaluate(slope, s.x.ball, s.y.ball, precision_bits).get()) == 0;
       critical_.push_back({s, smooth ? static_cast<long>(s.multiplicity) + 1 : 2});
       if (!smooth) left.push_back(s);
     }
@@ -157,7 +167,8 @@ class EventSearch {
       event.degree_drop = degree_drop(i);
       for (std::size_t end = 0; end < 2 && box_; ++end)
         event.on_border[end] = borders_[end].contains_line || is_root_of(i, borders_[end].polynomial);
-      const bool crosses_border = box_ && (is_root_of(i, borders_[0].polynomial) || is_root_of(i, borders_[1].polynomial));
+      const bool crosses_border =
+          box_ && (is_root_of(i, borders_[0].polynomial) || is_root_of(i, borders_[1].polynomial));
       if (event.exact_x || !event.critical.empty() || event.vertical_line || event.degree_drop > 0 || crosses_border)
         events_.push_back(std::move(event));
     }
@@ -287,9 +298,10 @@ class EventSearch {
       const Rational center = Rational(floor) * unit;
       fibre.before = center - width;
       fibre.after = center + width;
-      const auto size = static_cast<long>(fibre.after.denominator().bit_length() + fibre.after.numerator().bit_length());
-      FibreIsolation isolation = bridge::isolate_fibre(g_, fibre.before, fibre.after, multiple,
-                                                       events_[i].degree_drop, 64 + 4 * size, context_);
+      const auto size =
+          static_cast<long>(fibre.after.denominator().bit_length() + fibre.after.numerator().bit_length());
+      FibreIsolation isolation = bridge::isolate_fibre(g_, fibre.before, fibre.after, multiple, events_[i].degree_drop,
+                                                       64 + 4 * size, context_);
       if (isolation.state == FibreIsolation::State::isolated) return isolation;
       if (isolation.state == FibreIsolation::State::wide_points) throw NeedsMoreDigits();
       width = halved(width, step);

@@ -16,8 +16,8 @@
 
 namespace eliminant::intersect {
 
-/// Where a number lies relative to [lower, upper]: -2 below, -1 at the lower end, 0 inside, 1 at the upper end, 2 above.
-/// Where both ends are one number, that is -1.
+/// Where a number lies relative to [lower, upper]: -2 below, -1 at the lower end, 0 inside, 1 at the upper end, 2
+/// above. Where both ends are one number, that is -1.
 using Place = int;
 
 /// A real point of a curve on the fibre of an event.

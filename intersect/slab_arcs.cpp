@@ -94,8 +94,7 @@ SlabArcs SlabSampler::between(const EventFibre* before, const EventFibre* after,
   const Rational far = to_the_left ? end - rational_of(width) : end + rational_of(width);
   for (int i = 0; i < samples_in_slab; ++i) {
     const double part = std::pow((i + 0.5) / samples_in_slab, 2);
-    abscissae.push_back(to_the_left ? short_number_between(far, end, 1 - part)
-                                    : short_number_between(end, far, part));
+    abscissae.push_back(to_the_left ? short_number_between(far, end, 1 - part) : short_number_between(end, far, part));
   }
   if (to_the_left) std::reverse(abscissae.begin(), abscissae.end());
   return arcs_at(abscissae, to_the_left ? after->before : before->after);

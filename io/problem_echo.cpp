@@ -73,14 +73,24 @@ Json geometry_json(const intersect::Surface& surface) {
   return pieces_json(std::get<symbolic::ParametricSurface>(surface));
 }
 
+void echo_box(Json& out, const std::optional<intersect::Box>& box) {
+  if (!box) return;
+  out["box"] = Json::array();
+  for (const auto& side : {box->x, box->y})
+    out["box"].push_back(Json::array({side[0].to_string(), side[1].to_string()}));
+}
+
 void echo(Json& out, const intersect::PlaneCurvesProblem& problem) {
   out["variables"] = problem.variables;
   out["p"] = symbolic::to_string(problem.p, problem.variables);
   out["q"] = symbolic::to_string(problem.q, problem.variables);
-  if (!problem.box) return;
-  out["box"] = Json::array();
-  for (const auto& side : {problem.box->x, problem.box->y})
-    out["box"].push_back(Json::array({side[0].to_string(), side[1].to_string()}));
+  echo_box(out, problem.box);
+}
+
+void echo(Json& out, const intersect::CurveTopologyProblem& problem) {
+  out["variables"] = problem.variables;
+  out["p"] = symbolic::to_string(problem.p, problem.variables);
+  echo_box(out, problem.box);
 }
 
 void echo(Json& out, const intersect::CurveSurfaceProblem& problem) {
@@ -105,7 +115,8 @@ void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
 }  // namespace
 
 std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  constexpr std::array kinds{"plane_curves", "curve_surface", "curve_curve", "self_intersection", "implicitize"};
+  constexpr std::array kinds{"plane_curves",      "curve_surface", "curve_curve",
+                             "self_intersection", "implicitize",   "curve_topology"};
   Json out;
   out["problem"] = kinds[file.problem.index()];
   if (file.id) std::visit([&](const auto& id) { out["id"] = id; }, *file.id);

@@ -29,20 +29,22 @@ struct ProblemFields {
   std::vector<const char*> fields;
 };
 
-const std::array<ProblemFields, 5>& problem_fields() {
-  static const std::array<ProblemFields, 5> kinds{{
+const std::array<ProblemFields, 6>& problem_fields() {
+  static const std::array<ProblemFields, 6> kinds{{
       {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
       {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
       {"curve_curve", {"problem", "first", "second", "id", "options"}},
       {"self_intersection", {"problem", "curve", "surface", "id", "options"}},
+      {"curve_topology", {"problem", "p", "variables", "box", "id", "options"}},
       {"implicitize", {"problem", "curve", "surface", "id", "options"}},
   }};
   return kinds;
 }
 
 constexpr const char* known_kinds =
-    "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"self_intersection\" or \"implicitize\"";
-constexpr std::array later_problems{"surface_surface", "curve_topology", "cylinders", "cylinder_extraction"};
+    "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"self_intersection\", \"curve_topology\" or "
+    "\"implicitize\"";
+constexpr std::array later_problems{"surface_surface", "cylinders", "cylinder_extraction"};
 
 template <class Names>
 bool contains(const Names& names, std::string_view name) {
@@ -99,6 +101,19 @@ class Reader {
     intersect::PlaneCurvesProblem problem =
         plane_curves_from_text(p, q, settings_.variables ? settings_.variables : declared, settings_.limits);
     problem.box = sides;
+    return problem;
+  }
+
+  intersect::CurveTopologyProblem curve_topology() const {
+    const PolynomialText p = polynomial("p");
+    const auto declared = variables();
+    intersect::CurveTopologyProblem problem;
+    problem.box = box();
+    // The variables are read like those of two curves.
+    intersect::PlaneCurvesProblem read =
+        plane_curves_from_text(p, p, settings_.variables ? settings_.variables : declared, settings_.limits);
+    problem.p = std::move(read.p);
+    problem.variables = std::move(read.variables);
     return problem;
   }
 
@@ -247,6 +262,8 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
     result.problem = reader.curve_curve();
   else if (kind == "self_intersection")
     result.problem = reader.self_intersection();
+  else if (kind == "curve_topology")
+    result.problem = reader.curve_topology();
   else
     result.problem = reader.implicitize();
   return result;

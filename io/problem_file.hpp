@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <eliminant/intersect/curve_problems.hpp>
+#include <eliminant/intersect/curve_topology.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/io/run_options.hpp>
@@ -18,10 +19,10 @@ namespace eliminant::io {
 using ProblemId = std::variant<std::string, long>;
 
 /// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "self_intersection",
-/// "implicitize".
+/// "implicitize", "curve_topology".
 using Problem =
     std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem,
-                 intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem>;
+                 intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem, intersect::CurveTopologyProblem>;
 
 /// A problem and what its author chose for it.
 struct ProblemFile {
@@ -47,7 +48,7 @@ ProblemSyntax problem_syntax(const std::string& path, std::string_view text);
 /// Reads one problem (docs/formats.md); msolve's format holds plane_curves. All numbers are exact. When `id` is given
 /// it is set as soon as it is known, also if the rest is refused. Throws ParseError (syntax), InvalidInput (unknown or
 /// missing fields, wrong types, problem kinds of later versions, `settings.variables` for another kind than
-/// plane_curves) and LimitReached (too large), each with the place in `text`.
+/// plane_curves and curve_topology) and LimitReached (too large), each with the place in `text`.
 ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const ReadSettings& settings = {},
                          std::optional<ProblemId>* id = nullptr);
 

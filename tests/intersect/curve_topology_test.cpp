@@ -30,7 +30,8 @@ using test::curve;
 
 namespace {
 
-TopologyResult topology(const Polynomial& p, const std::optional<Box>& box = {}, const intersect::Options& options = {}) {
+TopologyResult topology(const Polynomial& p, const std::optional<Box>& box = {},
+                        const intersect::Options& options = {}) {
   intersect::CurveTopologyProblem problem;
   problem.p = p;
   problem.box = box;
@@ -95,6 +96,7 @@ void check_graph(const TopologyResult& result, bool boxed) {
   }
   for (std::size_t v = 0; v < degrees.size(); ++v) {
     const TopologyVertex& vertex = result.vertices[v];
+    CHECK(vertex.certified);
     const bool isolated = std::count(result.isolated.begin(), result.isolated.end(), v) == 1;
     CHECK((degrees[v] == 0) == isolated);
     if (vertex.kind == VertexKind::infinity)
@@ -142,8 +144,7 @@ Rational exact(double value) {
 /// The vertex nearest to a point.
 const TopologyVertex& vertex_near(const TopologyResult& result, double x, double y) {
   const auto distance = [&](const TopologyVertex& v) {
-    return v.kind == VertexKind::infinity ? 1e300
-                                          : std::hypot(std::stod(v.x.real) - x, std::stod(v.y.real) - y);
+    return v.kind == VertexKind::infinity ? 1e300 : std::hypot(std::stod(v.x.real) - x, std::stod(v.y.real) - y);
   };
   return *std::min_element(result.vertices.begin(), result.vertices.end(),
                            [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
@@ -224,8 +225,7 @@ TEST_CASE("Curve topology: isolated points, tacnodes and triple points") {
 
 TEST_CASE("Curve topology: several events above one abscissa") {
   CHECK(checked_shape("(x^2 + y^2 - 1)*(x^2 + (y - 5)^2 - 1)*(x^2 + (y - 10)^2 - 1)") == Shape{3, 3, 3, 0, 0, {}});
-  CHECK(checked_shape("(x^2 + y^2 - 1)*((x - 2)^2 + (y - 5)^2 - 1)*(x - 1)") ==
-        Shape{1, 2, 0, 0, 2, {{4, 3}, {4, 3}}});
+  CHECK(checked_shape("(x^2 + y^2 - 1)*((x - 2)^2 + (y - 5)^2 - 1)*(x - 1)") == Shape{1, 2, 0, 0, 2, {{4, 3}, {4, 3}}});
   CHECK(checked_shape("((x^2 + y^2)^2 - x^2 + y^2)*((x^2 + (y - 3)^2)^2 - x^2 + (y - 3)^2)*(x^2 + (y - 6)^2)") ==
         Shape{3, 4, 0, 1, 0, {{0, 1}, {4, 1}, {4, 1}}});
 }
@@ -234,8 +234,7 @@ TEST_CASE("Curve topology: branches and ovals that are close") {
   CHECK(checked_shape("(y - x^2)*(y - x^2 - 1/1000000)") == Shape{2, 0, 0, 0, 4, {}});
   CHECK(checked_shape("(x^2 + y^2 - 1)*(x^2 + y^2 - 1 - 1/1000000)") == Shape{2, 2, 2, 0, 0, {}});
   CHECK(checked_shape("(x^2 + y^2 - 1)*((x - 2 - 1/1000000)^2 + y^2 - 1)") == Shape{2, 2, 2, 0, 0, {}});
-  CHECK(checked_shape("(x^2 + y^2 - 1)*((x - 2 + 1/1000000)^2 + y^2 - 1)") ==
-        Shape{1, 3, 0, 0, 0, {{4, 1}, {4, 1}}});
+  CHECK(checked_shape("(x^2 + y^2 - 1)*((x - 2 + 1/1000000)^2 + y^2 - 1)") == Shape{1, 3, 0, 0, 0, {{4, 1}, {4, 1}}});
   // A node opened to either side, and a tiny oval.
   CHECK(checked_shape("y^2 - x^2 - x^3 - 1e-12") == Shape{1, 0, 0, 0, 2, {}});
   CHECK(checked_shape("y^2 - x^2 - x^3 + 1e-12") == Shape{2, 1, 1, 0, 2, {}});
@@ -305,8 +304,7 @@ TEST_CASE("Curve topology: a box cuts the curve at its border") {
   // Lines along the border, through corners, touching one.
   CHECK(in_box("y - 1", square) == std::tuple(Shape{1, 0, 0, 0, 0, {}}, 2));
   CHECK(in_box("x - 1", square) == std::tuple(Shape{1, 0, 0, 0, 0, {}}, 2));
-  CHECK(in_box("(x^2 - 1)*(y^2 - 1)", square) ==
-        std::tuple(Shape{1, 1, 1, 0, 0, {{4, 1}, {4, 1}, {4, 1}, {4, 1}}}, 0));
+  CHECK(in_box("(x^2 - 1)*(y^2 - 1)", square) == std::tuple(Shape{1, 1, 1, 0, 0, {{4, 1}, {4, 1}, {4, 1}, {4, 1}}}, 0));
   CHECK(in_box("x - y", square) == std::tuple(Shape{1, 0, 0, 0, 0, {}}, 2));
   CHECK(in_box("x + y - 2", square) == std::tuple(Shape{1, 0, 0, 1, 0, {}}, 1));
   CHECK(in_box("x*(x^2 + y^2 - 1/4)", square) == std::tuple(Shape{1, 2, 0, 0, 0, {{4, 1}, {4, 1}}}, 2));
@@ -346,11 +344,18 @@ TEST_CASE("Curve topology: points of polylines lie on the curve") {
 }
 
 TEST_CASE("Curve topology: the shape does not depend on the coordinates") {
-  const std::vector<Polynomial> curves{
-      curve("(x^2 + y^2)^2 - x^3 + 3*x*y^2"), curve("y^2 - x^2 - x^3"),       curve("y^2 - x^5 + x^4"),
-      curve("x*(x^2 + y^2 - 1)*(y - x^2)"),   curve("y^3 - x^5"),             curve("(x^2 - 1)*y^2 - x"),
-      curve("x^2*y^2 + x*y + 1 - x"),         curve("(x^2 + y^2)*(x*y - 1)"), curve("(y - x^2)*(y + x^2)*x*y"),
-      curve("x^4 + y^4 - x^2*y"),             curve("y^3 - 3*y - x^3 + 3*x"), curve("(x^2-1)^2 - y^2*(3 + 2*y)")};
+  const std::vector<Polynomial> curves{curve("(x^2 + y^2)^2 - x^3 + 3*x*y^2"),
+                                       curve("y^2 - x^2 - x^3"),
+                                       curve("y^2 - x^5 + x^4"),
+                                       curve("x*(x^2 + y^2 - 1)*(y - x^2)"),
+                                       curve("y^3 - x^5"),
+                                       curve("(x^2 - 1)*y^2 - x"),
+                                       curve("x^2*y^2 + x*y + 1 - x"),
+                                       curve("(x^2 + y^2)*(x*y - 1)"),
+                                       curve("(y - x^2)*(y + x^2)*x*y"),
+                                       curve("x^4 + y^4 - x^2*y"),
+                                       curve("y^3 - 3*y - x^3 + 3*x"),
+                                       curve("(x^2-1)^2 - y^2*(3 + 2*y)")};
   for (const Polynomial& p : curves) {
     INFO(test::text(p));
     const Shape shape = checked_shape(p);
@@ -525,8 +530,8 @@ TEST_CASE("Curve topology: the eliminant of a self-intersection has the known cr
     const auto high = std::to_string(known["box"][1].get<int>());
     INFO("window ", low, " ", high);
     for (const bool exchanged : {true, false}) {
-      const TopologyResult result = topology(exchanged ? over_v : eliminant,
-                                             box(low.c_str(), high.c_str(), low.c_str(), high.c_str()));
+      const TopologyResult result =
+          topology(exchanged ? over_v : eliminant, box(low.c_str(), high.c_str(), low.c_str(), high.c_str()));
       check_graph(result, true);
       CHECK(result.counts.components == known["components"].get<unsigned long>());
       CHECK(result.isolated.size() == known["isolated_points"].get<std::size_t>());
