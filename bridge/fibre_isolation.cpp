@@ -144,7 +144,8 @@ class FibreSeparation {
     RealBall at_infinity;
     arb_poly_get_coeff_arb(at_infinity.get(), reversed_.get(), degree_drop);
     if (!excludes_zero(at_infinity)) return false;
-    constexpr long smallest_exponent = -64;
+    // Not below 1: a bound that shrank with X would leave no room for the multiple points.
+    constexpr long smallest_exponent = 0;
     const long largest_exponent = 64 + 4 * precision_bits_;
     for (long exponent = smallest_exponent; exponent <= largest_exponent; ++exponent) {
       const Rational zeta = power_of_two(-exponent);
