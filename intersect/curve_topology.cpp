@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <numeric>
 
 #include <eliminant/base/error.hpp>
@@ -84,14 +85,21 @@ class GraphBuilder {
     for (ArcEnd& end : right_ends_.back()) end.vertex = add_vertex_at_infinity(1, 0, nullptr);
   }
 
-  /// Coordinates relative to the greatest of them and 1.
+  /// With as many digits of the greatest as are asked for, or of 1 where they may all be zero.
   std::vector<Coordinate> print(const std::vector<RealBall>& values, long& radius_exponent) const {
-    std::vector<bridge::ComplexBall> balls(values.size() + 1);
+    std::vector<bridge::ComplexBall> balls(values.size());
     for (std::size_t k = 0; k < values.size(); ++k) arb_set(balls[k].real(), values[k].get());
-    acb_one(balls.back().get());
-    radius_exponent = -1000000;
+    const auto try_to_print = [&](long digits) {
+      radius_exponent = std::numeric_limits<long>::min();
+      return print_normalized(balls, digits, radius_exponent);
+    };
+    const bool may_vanish = std::all_of(balls.begin(), balls.end(),
+                                        [](const auto& ball) { return acb_contains_zero(ball.get()) != 0; });
+    if (!may_vanish)
+      if (auto printed = try_to_print(options_.digits)) return *std::move(printed);
+    acb_one(balls.emplace_back().get());
     for (long digits = options_.digits; digits > 0; --digits)
-      if (auto printed = print_normalized(balls, digits, radius_exponent)) return *std::move(printed);
+      if (auto printed = try_to_print(digits)) return *std::move(printed);
     throw PrecisionExhausted("a vertex is not enclosed tightly enough to be printed");
   }
 

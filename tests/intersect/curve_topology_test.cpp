@@ -243,6 +243,48 @@ TEST_CASE("Curve topology: branches and ovals that are close") {
   CHECK(checked_shape("y^2 + x^2 - x^3 + 1e-40") == Shape{1, 0, 0, 0, 2, {}});
 }
 
+TEST_CASE("Curve topology: Chebyshev curves have all their nodes") {
+  // T_n(x) = T_m(y), m and n coprime: the image of t -> (T_m(t), T_n(t)), with (m - 1)(n - 1) / 2 crossings.
+  const auto chebyshev = [](long n, const Polynomial& t) {
+    Polynomial before = number(1);
+    Polynomial last = t;
+    for (long k = 1; k < n; ++k) {
+      Polynomial next = Rational(2) * t * last - before;
+      before = std::move(last);
+      last = std::move(next);
+    }
+    return last;
+  };
+  for (const auto& [m, n] : {std::pair(2L, 3L), std::pair(3L, 4L), std::pair(4L, 5L), std::pair(5L, 7L)}) {
+    INFO(m, " ", n);
+    const auto nodes = static_cast<unsigned long>((m - 1) * (n - 1) / 2);
+    const Shape expected{1, nodes, 0, 0, 2, SingularTypes(nodes, {4, 1})};
+    CHECK(checked_shape(chebyshev(n, x()) - chebyshev(m, y())) == expected);
+    CHECK(checked_shape(chebyshev(m, x()) - chebyshev(n, y())) == expected);
+  }
+}
+
+TEST_CASE("Curve topology: coordinates have their digits at every scale") {
+  for (const char* scale : {"1", "1e-12", "1e12"}) {
+    const Rational factor = symbolic::parse_number(scale);
+    const Polynomial circle = x() * x() + y() * y() - number(Rational(2) * factor * factor);
+    const TopologyResult result = topology(circle * (x() - number(factor)));
+    check_graph(result, false);
+    std::size_t crossings = 0;
+    for (const TopologyVertex& vertex : result.vertices) {
+      if (vertex.kind != VertexKind::singular) continue;
+      ++crossings;
+      const Rational height = symbolic::parse_number(vertex.y.real);
+      const Rational radius = symbolic::parse_number("1e" + std::to_string(vertex.radius_exponent));
+      const Rational error = (height.sign() < 0 ? -height : height) - factor;
+      CHECK(!(radius < error));
+      CHECK(!(radius < -error));
+      CHECK(radius < factor * symbolic::parse_number("1e-13"));
+    }
+    CHECK(crossings == 2);
+  }
+}
+
 TEST_CASE("Curve topology: repeated factors count once, with a warning") {
   const TopologyResult once = topology("x*(y - x)*(x^2 + y^2 - 1)");
   const TopologyResult more = topology("x^2*(y - x)^3*(x^2 + y^2 - 1)");
