@@ -19,8 +19,6 @@ namespace {
 using bridge::RealBall;
 using symbolic::Rational;
 
-bool is_inside(Place place) { return place >= -1 && place <= 1; }
-
 double approximation(const RealBall& value) { return arf_get_d(arb_midref(value.get()), ARF_RND_NEAR); }
 
 /// Where an arc ends: at a vertex, or in an arc of the next slab.
@@ -213,16 +211,17 @@ class GraphBuilder {
       arb_set_d(y.get(), result_.vertices[vertex].y_infinite * width_ + (points_[other] ? (*points_[other])[1] : 0));
       return sampler_.nearest(fibre.x, y);
     };
-    result_.edges.push_back({from, to, {drawn(from, to), drawn(to, from)}});
+    result_.edges.push_back({from, to, fibre.exact_x.has_value(), {drawn(from, to), drawn(to, from)}});
   }
 
   /// Every arc inside begins at a vertex or continues one that does.
   void join_arcs() {
     for (std::size_t slab = 0; slab < slabs_.size(); ++slab)
       for (std::size_t arc = 0; arc < slabs_[slab].count; ++arc) {
-        if (!slabs_[slab].inside[arc] || !left_ends_[slab][arc].vertex) continue;
+        if (!is_inside(slabs_[slab].places[arc]) || !left_ends_[slab][arc].vertex) continue;
         TopologyEdge edge;
         edge.from = *left_ends_[slab][arc].vertex;
+        edge.on_border = slabs_[slab].places[arc] != 0;
         if (points_[edge.from]) edge.polyline.push_back(*points_[edge.from]);
         for (std::size_t at = slab, which = arc;; ++at) {
           const auto& points = slabs_[at].polylines[which];
@@ -268,12 +267,40 @@ class GraphBuilder {
       ++*of_kind[static_cast<std::size_t>(result_.vertices[v].kind)];
     }
     counts.cycles = result_.edges.size() + counts.components - n;
+    counts.faces = faces();
     std::vector<bool> seen(n, false);
     for (std::size_t v = 0; v < n; ++v) {
       if (!simple[root_of(v)] || seen[root_of(v)]) continue;
       seen[root_of(v)] = true;
       result_.loops.push_back(cycle_from(v, edges_at));
     }
+  }
+
+  /// Euler's formula on the sphere that the plane, or the inside of the box, becomes with one point more: that point
+  /// stands for infinity, or for the border. It is a vertex, also where nothing ends in it.
+  unsigned long faces() {
+    if (box_ && (box_->x[0] == box_->x[1] || box_->y[0] == box_->y[1])) return 0;
+    const std::size_t n = result_.vertices.size();
+    std::vector<std::size_t> saved = parent_;
+    parent_.resize(n + 1);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    unsigned long edges = 0;
+    for (const TopologyEdge& edge : result_.edges) {
+      parent_[root_of(edge.from)] = root_of(edge.to);
+      if (!edge.on_border) ++edges;
+    }
+    unsigned long vertices = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+      const TopologyVertex& vertex = result_.vertices[v];
+      if (vertex.on_border || vertex.kind == VertexKind::infinity)
+        parent_[root_of(v)] = root_of(n);
+      else
+        ++vertices;
+    }
+    unsigned long components = 0;
+    for (std::size_t v = 0; v <= n; ++v) components += root_of(v) == v ? 1 : 0;
+    parent_ = std::move(saved);
+    return edges + components - vertices;
   }
 
   std::vector<std::size_t> cycle_from(std::size_t start, const std::vector<std::vector<std::size_t>>& edges_at) const {

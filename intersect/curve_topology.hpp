@@ -59,6 +59,8 @@ struct TopologyEdge {
   /// Indices of vertices, by increasing x; of a vertical line by increasing y.
   std::size_t from = 0;
   std::size_t to = 0;
+  /// A part of the border of the box.
+  bool on_border = false;
   /// Points of the curve, each within TopologyResult::error in each coordinate, from `from` to `to`; without ends at
   /// infinity. Arcs that lie above each other have points at the same abscissae, in the same order.
   std::vector<std::array<double, 2>> polyline;
@@ -69,6 +71,8 @@ struct TopologyCounts {
   unsigned long components = 0;
   /// Independent cycles: edges - vertices + components.
   unsigned long cycles = 0;
+  /// Connected components of the complement of the curve in the plane or in the box; 0 for a box without inside.
+  unsigned long faces = 0;
   unsigned long singular = 0;
   unsigned long critical = 0;
   unsigned long border = 0;

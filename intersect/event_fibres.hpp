@@ -20,6 +20,8 @@ namespace eliminant::intersect {
 /// above. Where both ends are one number, that is -1.
 using Place = int;
 
+inline bool is_inside(Place place) { return place >= -1 && place <= 1; }
+
 /// A real point of a curve on the fibre of an event.
 struct EventPoint {
   bridge::RealBall y;

@@ -104,19 +104,16 @@ SlabArcs SlabSampler::arcs_at(const std::vector<Rational>& abscissae, const Rati
   SlabArcs arcs;
   RationalFibre inner(g_, safe, context_);
   arcs.count = inner.count();
-  for (std::size_t i = 0; i < arcs.count; ++i) {
-    const Place place = place_of(inner, i, box_);
-    arcs.inside.push_back(place >= -1 && place <= 1);
-  }
+  for (std::size_t i = 0; i < arcs.count; ++i) arcs.places.push_back(place_of(inner, i, box_));
   arcs.polylines.resize(arcs.count);
-  if (std::none_of(arcs.inside.begin(), arcs.inside.end(), [](bool inside) { return inside; })) return arcs;
+  if (std::none_of(arcs.places.begin(), arcs.places.end(), is_inside)) return arcs;
   for (const Rational& x : abscissae) {
     context_.checkpoint("tracing arcs");
     RationalFibre fibre(g_, x, context_);
     if (fibre.count() != arcs.count) throw PrecisionExhausted("the number of arcs changes between two events");
     const RealBall exact_x(x, 4 * point_bits);
     for (std::size_t i = 0; i < arcs.count; ++i)
-      if (arcs.inside[i]) arcs.polylines[i].push_back(nearest(exact_x, fibre.refined(i, point_bits)));
+      if (is_inside(arcs.places[i])) arcs.polylines[i].push_back(nearest(exact_x, fibre.refined(i, point_bits)));
   }
   return arcs;
 }

@@ -14,8 +14,8 @@ namespace eliminant::intersect {
 /// The arcs of a curve above the abscissae between two events: graphs of functions, ascending, none meets another.
 struct SlabArcs {
   std::size_t count = 0;
-  /// Those inside the box.
-  std::vector<bool> inside;
+  /// Relative to the box, the same all along; 0 without one.
+  std::vector<Place> places;
   /// Points of each arc, by increasing x.
   std::vector<std::vector<std::array<double, 2>>> polylines;
 };

@@ -46,7 +46,7 @@ std::string curve_topology_json(const intersect::TopologyResult& result, const s
   out["variables"] = result.variables;
   out["counts"] = {
       {"components", result.counts.components}, {"loops", result.loops.size()},   {"isolated", result.isolated.size()},
-      {"cycles", result.counts.cycles},         {"edges", result.edges.size()},   {"singular", result.counts.singular},
+      {"cycles", result.counts.cycles}, {"faces", result.counts.faces},         {"edges", result.edges.size()},   {"singular", result.counts.singular},
       {"critical", result.counts.critical},     {"border", result.counts.border}, {"infinity", result.counts.infinity}};
   out["vertices"] = Json::array();
   for (const intersect::TopologyVertex& vertex : result.vertices) out["vertices"].push_back(vertex_json(vertex));

@@ -29,6 +29,7 @@ std::string summary(const TopologyResult& result) {
                                            {std::to_string(result.loops.size()), "of them simple closed curves"},
                                            {std::to_string(result.isolated.size()), "of them points"},
                                            {std::to_string(result.counts.cycles), "independent cycles"},
+                                           {std::to_string(result.counts.faces), "faces of the complement"},
                                            {std::to_string(result.counts.singular), "singular points"},
                                            {std::to_string(result.counts.infinity), "ends at infinity"}},
                                           {true, false});
