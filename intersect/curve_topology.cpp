@@ -91,8 +91,8 @@ class GraphBuilder {
       radius_exponent = std::numeric_limits<long>::min();
       return print_normalized(balls, digits, radius_exponent);
     };
-    const bool may_vanish = std::all_of(balls.begin(), balls.end(),
-                                        [](const auto& ball) { return acb_contains_zero(ball.get()) != 0; });
+    const bool may_vanish =
+        std::all_of(balls.begin(), balls.end(), [](const auto& ball) { return acb_contains_zero(ball.get()) != 0; });
     if (!may_vanish)
       if (auto printed = try_to_print(options_.digits)) return *std::move(printed);
     acb_one(balls.emplace_back().get());

@@ -44,10 +44,11 @@ Json edge_json(const intersect::TopologyEdge& edge) {
 std::string curve_topology_json(const intersect::TopologyResult& result, const std::optional<ProblemId>& id) {
   Json out = result_heading(result.problem, id, result.status, {}, result.limit);
   out["variables"] = result.variables;
-  out["counts"] = {
-      {"components", result.counts.components}, {"loops", result.loops.size()},   {"isolated", result.isolated.size()},
-      {"cycles", result.counts.cycles}, {"faces", result.counts.faces},         {"edges", result.edges.size()},   {"singular", result.counts.singular},
-      {"critical", result.counts.critical},     {"border", result.counts.border}, {"infinity", result.counts.infinity}};
+  out["counts"] = {{"components", result.counts.components}, {"loops", result.loops.size()},
+                   {"isolated", result.isolated.size()},     {"cycles", result.counts.cycles},
+                   {"faces", result.counts.faces},           {"edges", result.edges.size()},
+                   {"singular", result.counts.singular},     {"critical", result.counts.critical},
+                   {"border", result.counts.border},         {"infinity", result.counts.infinity}};
   out["vertices"] = Json::array();
   for (const intersect::TopologyVertex& vertex : result.vertices) out["vertices"].push_back(vertex_json(vertex));
   out["edges"] = Json::array();

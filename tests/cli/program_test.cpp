@@ -246,4 +246,34 @@ TEST_CASE("program: an error names the kind of its problem, null where it is unk
   CHECK(problem_of("solve") == "null");
 }
 
+TEST_CASE("program: the topology of a plane curve in every format, and what does not go with it") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("curve.json", R"({"problem": "curve_topology", "p": "x^2 + y^2 - 1"})");
+  const Outcome json = run_program(folder, "solve --format json '" + path + "'");
+  CHECK(json.status == 0);
+  const JsonDocument result(json.out);
+  CHECK(result.root().find("status")->text == "certified");
+  CHECK(result.root().find("counts")->find("loops")->text == "1");
+  CHECK(result.root().find("vertices")->elements.size() == 2);
+  CHECK(result.root().find("edges")->elements.size() == 2);
+  const Outcome csv = run_program(folder, "solve --format csv '" + path + "'");
+  CHECK(csv.status == 0);
+  CHECK(csv.out ==
+        "kind,type,x,y,radius,left,right,vertical,milnor_number,on_border,certified\n"
+        "critical,,-1,0,1e-14,0,2,0,0,false,true\n"
+        "critical,,1,0,1e-14,2,0,0,0,false,true\n");
+  const Outcome text = run_program(folder, "solve '" + path + "'");
+  CHECK(text.status == 0);
+  CHECK(contains(text.out, "every vertex and every arc proven"));
+  const Outcome echo = run_program(folder, "solve --echo '" + path + "'");
+  CHECK(contains(echo.out, "\"problem\": \"curve_topology\""));
+  CHECK(run_program(folder, "solve --certificate c.json '" + path + "'").status == 2);
+  CHECK(run_program(folder, "solve --engine box '" + path + "'").status == 2);
+  CHECK(run_program(folder, "verify '" + path + "' '" + path + "'").status == 2);
+  const std::string constant = folder.write("constant.json", R"({"problem": "curve_topology", "p": "1"})");
+  const Outcome refused = run_program(folder, "solve --format json '" + constant + "'");
+  CHECK(refused.status == 2);
+  CHECK(contains(refused.out, "the equation of a curve is constant"));
+}
+
 #endif

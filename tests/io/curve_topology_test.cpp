@@ -23,7 +23,7 @@ namespace {
 TopologyResult sample() {
   TopologyResult result;
   result.status = intersect::Status::certified;
-  result.counts = {.components = 2, .cycles = 0, .singular = 1, .critical = 0, .border = 0, .infinity = 2};
+  result.counts = {.components = 2, .cycles = 0, .faces = 3, .singular = 1, .critical = 0, .border = 0, .infinity = 2};
   TopologyVertex left;
   left.kind = VertexKind::infinity;
   left.x_infinite = -1;
@@ -41,7 +41,10 @@ TopologyResult sample() {
   point.milnor_number = 1;
   point.certified = true;
   result.vertices = {left, below, point};
-  result.edges = {{0, 1, {{-1, -1}, {0.25, -4}}}};
+  result.edges.resize(1);
+  result.edges[0].from = 0;
+  result.edges[0].to = 1;
+  result.edges[0].polyline = {{-1, -1}, {0.25, -4}};
   result.isolated = {2};
   result.error = 0x1p-52;
   return result;
@@ -83,6 +86,7 @@ TEST_CASE("Curve topology: JSON has the fields of the contract") {
   CHECK(root.find("status")->text == "certified");
   CHECK(root.find("counts")->find("components")->text == "2");
   CHECK(root.find("counts")->find("isolated")->text == "1");
+  CHECK(root.find("counts")->find("faces")->text == "3");
   const auto& vertices = root.find("vertices")->elements;
   REQUIRE(vertices.size() == 3);
   CHECK(vertices[0].find("kind")->text == "infinity");
