@@ -202,10 +202,7 @@ class MinorInterpolation {
     require_memory(primes_needed);
     PrimeSequence primes(seed);
     std::vector<ModularMatrix> images;
-    for (std::size_t k = 0; k < primes_needed; ++k) {
-      context.checkpoint("elimination");
-      images.push_back(modulo(PrimeField(primes.next())));
-    }
+    for (std::size_t k = 0; k < primes_needed; ++k) images.push_back(modulo(PrimeField(primes.next()), context));
     return lift(images);
   }
 
@@ -255,7 +252,7 @@ class MinorInterpolation {
   }
 
   /// The coefficients modulo a prime: row e, column f that of u^e t^f.
-  ModularMatrix modulo(const PrimeField& field) const {
+  ModularMatrix modulo(const PrimeField& field, const Context& context) const {
     const std::size_t n = matrix_.first_degree();
     const std::size_t m = matrix_.second_degree();
     const LineValues first(
@@ -276,6 +273,7 @@ class MinorInterpolation {
     };
     Residues denominators(degrees_.t + 1, 1);
     for (std::size_t u = 0; u <= degrees_.u; ++u) {
+      context.checkpoint("elimination");
       for (std::size_t t = 0; t <= degrees_.t; ++t) {
         for (std::size_t a = 0; a < first.pairs(); ++a)
           for (std::size_t b = 0; b < second.pairs(); ++b)

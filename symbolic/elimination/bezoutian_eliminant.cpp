@@ -102,6 +102,9 @@ class Classification {
   CurveMeetings general_;
 };
 
+/// The pairs of parameters of common points are at least a surface then, with (u, t) general on it. Its image in space is
+/// of dimension two: the images of the maps are equal; or a point, to which both contract a curve; it is a curve only
+/// if all parameters of one map go to that curve.
 DeterminantVanishing why_intersection_vanishes(const RationalSurface& first, const RationalSurface& second,
                                                std::uint64_t seed, const Context& context) {
   if (!is_two_dimensional(first) || !is_two_dimensional(second)) return DeterminantVanishing::no_surface;

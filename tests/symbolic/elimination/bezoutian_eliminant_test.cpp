@@ -192,6 +192,14 @@ TEST_CASE("Bezoutian eliminant: a cuspidal edge has no second pair of parameters
   CHECK(crossing.curve == parsed("u^2 - v^2", first_parameters()));
 }
 
+TEST_CASE("Bezoutian eliminant: a bilinear surface does not meet itself") {
+  const BezoutianEliminant none = self_intersection(second_surface({"1", "s", "t", "s*t"}));
+  CHECK(none.size == 0);
+  CHECK(none.determinant == Polynomial::constant(2, 1));
+  CHECK(none.components.empty());
+  CHECK(none.curve == Polynomial::constant(2, 1));
+}
+
 TEST_CASE("Bezoutian eliminant: overlapping surfaces, whatever their parameters") {
   const BezoutianEliminant spheres =
       intersection(first_surface(sphere_by_angles), second_surface(sphere_by_projection));
