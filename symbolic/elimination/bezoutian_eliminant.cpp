@@ -39,20 +39,23 @@ class Classification {
 
   EliminantComponent component(const BivariateFactor& factor) const {
     context_.checkpoint("components of the eliminant");
-    EliminantComponent result{factor.factor, factor.multiplicity, factor.irreducible, ComponentKind::curve, false, 0};
+    EliminantComponent result{factor.factor, factor.multiplicity, ComponentKind::curve, false, 0, false};
     long finite = 0;
     long at_infinity = 0;
     bool one_image = true;
     bool base_points = true;
+    bool infinite_parameters = true;
     for (const std::uint64_t round : {1UL, 2UL}) {
       const std::optional<Observation> seen = observer_.on(factor.factor, round);
       if (!seen || seen->meetings.infinite) return result;
       finite = std::max(finite, seen->meetings.finite - general_.finite);
       at_infinity = std::max(at_infinity, seen->meetings.at_infinity - general_.at_infinity);
       one_image = one_image && seen->one_image;
+      infinite_parameters = infinite_parameters && seen->meetings.infinite_parameters;
       base_points = base_points && (seen->meetings.first_has_base_point || seen->meetings.second_has_base_point);
     }
     result.meetings = finite;
+    result.infinite_parameters = infinite_parameters;
     if (finite > 0 && !one_image) {
       // Polynomial surfaces have neither base points nor infinite points above it.
       result.proven = !self_ && general_.finite == 0 && is_bivariate(factor.factor) && has_constant_weight(first_) &&
@@ -102,9 +105,9 @@ class Classification {
   CurveMeetings general_;
 };
 
-/// The pairs of parameters of common points are at least a surface then, with (u, t) general on it. Its image in space is
-/// of dimension two: the images of the maps are equal; or a point, to which both contract a curve; it is a curve only
-/// if all parameters of one map go to that curve.
+/// The pairs of parameters of common points are at least a surface then, with (u, t) general on it. Its image in space
+/// is of dimension two: the images of the maps are equal; or a point, to which both contract a curve; it is a curve
+/// only if all parameters of one map go to that curve.
 DeterminantVanishing why_intersection_vanishes(const RationalSurface& first, const RationalSurface& second,
                                                std::uint64_t seed, const Context& context) {
   if (!is_two_dimensional(first) || !is_two_dimensional(second)) return DeterminantVanishing::no_surface;
@@ -123,13 +126,8 @@ void decompose(BezoutianEliminant& result, const SeparatedBezoutian& matrix, con
                const RationalSurface& second, bool self, std::uint64_t seed, const Context& context) {
   result.curve = Polynomial::constant(2, 1);
   if (result.divisor.is_constant()) return;
-  // Without weights there are no common points at infinity, and all other extraneous factors are in one variable.
-  constexpr long small = 20;
-  const bool cheap = result.divisor.degree(0) <= small && result.divisor.degree(1) <= small;
-  const bool whole = has_constant_weight(first) && has_constant_weight(second) && !cheap;
   const Classification classification(matrix, first, second, self, seed, context);
-  for (const BivariateFactor& factor :
-       bivariate_factors(result.divisor, whole ? FactorDepth::squarefree : FactorDepth::irreducible, seed)) {
+  for (const BivariateFactor& factor : bivariate_factors(result.divisor, seed)) {
     result.components.push_back(classification.component(factor));
     if (result.components.back().kind == ComponentKind::curve) result.curve = result.curve * factor.factor;
   }

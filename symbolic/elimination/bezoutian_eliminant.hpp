@@ -36,9 +36,8 @@ enum class DeterminantVanishing {
 std::string_view explanation(DeterminantVanishing vanishing);
 
 struct EliminantComponent {
-  Polynomial factor{2};            ///< primitive over Z, squarefree
+  Polynomial factor{2};            ///< irreducible over Q, primitive over Z
   unsigned long multiplicity = 1;  ///< in the determinant, or in the gcd of the minors
-  bool irreducible = true;         ///< proven over Q; else it may be several curves of the same kind
   ComponentKind kind = ComponentKind::curve;
   /// The kind is proven by exact arithmetic; otherwise it was seen at random points modulo two primes of 62 bits.
   /// Curves in both variables are proven of two polynomial surfaces; of the extraneous kinds all but those above which
@@ -48,6 +47,8 @@ struct EliminantComponent {
   /// Finite common points above a general point of the component, by their parameters on the surface where these are
   /// more. With k of them the projection to the kept parameters is k to 1, and the multiplicity at least k.
   long meetings = 0;
+  /// v, or s, is infinite at all of them: the component is on the surfaces, but not for finite parameters.
+  bool infinite_parameters = false;
 };
 
 /// The eliminant of an intersection in (u, t), or of a self-intersection in (u, v).
@@ -67,9 +68,9 @@ struct BezoutianEliminant {
 };
 
 /// The eliminant of Phi(u, v) = Psi(s, t) with v and s eliminated, its components told apart by what lies above them.
-/// Factors in two variables are split into irreducible ones where a weight is not constant; where both are, none of
-/// them is extraneous and they may stay together. Throws InvalidInput for a surface of triangular kind or one that does
-/// not depend on the eliminated parameter, LimitReached. Source: [BuseElkadiGalligo2008], Theorems 2 and 3.
+/// Throws InvalidInput for a surface of triangular kind or one that does not depend on the eliminated parameter,
+/// LimitReached.
+/// Source: [BuseElkadiGalligo2008], Theorems 2 and 3.
 BezoutianEliminant intersection_eliminant(const RationalSurface& first, const RationalSurface& second,
                                           std::uint64_t seed, const Context& context);
 

@@ -35,26 +35,21 @@ void add_univariate_factors(std::vector<BivariateFactor>& result, const Univaria
   fmpz_poly_factor(factors, f.get());
   for (slong i = 0; i < factors->num; ++i)
     result.push_back(
-        {in_plane(UnivariatePolynomial(factors->p + i), index), static_cast<unsigned long>(factors->exp[i]), true});
+        {in_plane(UnivariatePolynomial(factors->p + i), index), static_cast<unsigned long>(factors->exp[i])});
   fmpz_poly_factor_clear(factors);
 }
 
-/// What the images modulo primes on lines prove of a polynomial without content in either variable.
-struct ModularEvidence {
-  bool squarefree = false;
-  bool irreducible = false;
-};
-
-ModularEvidence modular_evidence(const Polynomial& p, std::uint64_t seed) {
+/// Whether the images modulo primes on lines prove a polynomial without content in either variable irreducible.
+bool is_irreducible_by_degrees(const Polynomial& p, std::uint64_t seed) {
   const std::size_t hidden = p.degree(0) < p.degree(1) ? 1 : 0;
   const HiddenVariablePolynomial f = hide_variable(p, hidden);
   const auto degree = static_cast<std::size_t>(f.degree());
   // Whether a factor of this degree is possible: a sum of degrees of factors modulo every prime.
   std::vector<bool> possible(degree + 1, true);
-  ModularEvidence result;
+  bool irreducible = false;
   PrimeSequence primes(mix(seed, 7));
   constexpr std::uint64_t most_trials = 24;
-  for (std::uint64_t trial = 0; trial < most_trials && !result.irreducible; ++trial) {
+  for (std::uint64_t trial = 0; trial < most_trials && !irreducible; ++trial) {
     const PrimeField field(primes.next());
     const mp_limb_t h = mix(seed, trial) % field.prime();
     ModularPolynomial value(field);
@@ -64,7 +59,6 @@ ModularEvidence modular_evidence(const Polynomial& p, std::uint64_t seed) {
       nmod_poly_set_coeff_ui(value.get(), static_cast<slong>(k), nmod_poly_evaluate_nmod(coefficient.get(), h));
     }
     if (value.degree() < f.degree() || nmod_poly_is_squarefree(value.get()) == 0) continue;
-    result.squarefree = true;
     nmod_poly_factor_t factors;
     nmod_poly_factor_init(factors);
     nmod_poly_factor(factors, value.get());
@@ -76,26 +70,25 @@ ModularEvidence modular_evidence(const Polynomial& p, std::uint64_t seed) {
         if (sums[k - of_factor]) sums[k] = true;
     }
     nmod_poly_factor_clear(factors);
-    result.irreducible = true;
+    irreducible = true;
     for (std::size_t k = 1; k < degree; ++k) {
       possible[k] = possible[k] && sums[k];
-      if (possible[k]) result.irreducible = false;
+      if (possible[k]) irreducible = false;
     }
   }
-  return result;
+  return irreducible;
 }
 
-void add_factors(std::vector<BivariateFactor>& result, const Polynomial& p, bool fully) {
+void add_factors(std::vector<BivariateFactor>& result, const Polynomial& p) {
   fmpq_mpoly_factor_t factors;
   fmpq_mpoly_factor_init(factors, p.ring());
-  const int done =
-      fully ? fmpq_mpoly_factor(factors, p.get(), p.ring()) : fmpq_mpoly_factor_squarefree(factors, p.get(), p.ring());
+  const int done = fmpq_mpoly_factor(factors, p.get(), p.ring());
   for (slong i = 0; done != 0 && i < fmpq_mpoly_factor_length(factors, p.ring()); ++i) {
     Polynomial factor(2);
     fmpq_mpoly_factor_get_base(factor.get(), factors, i, p.ring());
     if (factor.is_constant()) continue;
-    result.push_back({factor.primitive_part(),
-                      static_cast<unsigned long>(fmpq_mpoly_factor_get_exp_si(factors, i, p.ring())), fully});
+    result.push_back(
+        {factor.primitive_part(), static_cast<unsigned long>(fmpq_mpoly_factor_get_exp_si(factors, i, p.ring()))});
   }
   fmpq_mpoly_factor_clear(factors, p.ring());
   if (done == 0) throw LimitReached("a polynomial in two variables could not be factored");
@@ -103,7 +96,7 @@ void add_factors(std::vector<BivariateFactor>& result, const Polynomial& p, bool
 
 }  // namespace
 
-std::vector<BivariateFactor> bivariate_factors(const Polynomial& p, FactorDepth depth, std::uint64_t seed) {
+std::vector<BivariateFactor> bivariate_factors(const Polynomial& p, std::uint64_t seed) {
   if (p.variable_count() != 2 || p.is_zero())
     throw InvalidInput("the factors of the zero polynomial, or of one not in two variables, were asked for",
                        "a polynomial in two variables that is not zero");
@@ -116,13 +109,10 @@ std::vector<BivariateFactor> bivariate_factors(const Polynomial& p, FactorDepth 
     rest = exact_quotient(rest, in_plane(content, index)).primitive_part();
   }
   if (rest.is_constant()) return result;
-  const ModularEvidence evidence = modular_evidence(rest, seed);
-  if (evidence.irreducible)
-    result.push_back({rest, 1, true});
-  else if (depth == FactorDepth::squarefree && evidence.squarefree)
-    result.push_back({rest, 1, false});
+  if (is_irreducible_by_degrees(rest, seed))
+    result.push_back({rest, 1});
   else
-    add_factors(result, rest, depth == FactorDepth::irreducible);
+    add_factors(result, rest);
   return result;
 }
 

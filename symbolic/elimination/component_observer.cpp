@@ -103,6 +103,7 @@ CurveMeetings ComponentObserver::above(const PlanePoint& point, const PrimeField
   const CurveMeetings other = curve_meetings(second, first, exchanged, field, numbers, projection);
   result.finite = std::max(result.finite, other.finite);
   result.at_infinity = std::max(result.at_infinity, other.at_infinity);
+  result.infinite_parameters = result.infinite_parameters || other.infinite_parameters;
   return result;
 }
 

@@ -12,7 +12,8 @@ namespace eliminant::symbolic {
 
 /// What is seen above one point of a component, and how it compares with another point of it.
 struct Observation {
-  /// As of the first curve, but with the numbers of the curve that has more different parameters at common points.
+  /// As of the first curve, but with the numbers of the curve that has more different parameters at common points, and
+  /// with infinite parameters of either.
   CurveMeetings meetings;
   /// Of a component in one variable: the common points are the same points of space above another point of the line.
   bool one_image = false;

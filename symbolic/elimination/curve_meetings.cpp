@@ -207,8 +207,8 @@ CurveMeetings curve_meetings(const ModularCurve& first, const ModularCurve& seco
 
   // A polynomial whose roots are the parameters of the first curve at the common points.
   ModularPolynomial meetings(field);
-  if (degree_of(a) < 1 || degree_of(c) < 1) {
-    const bool first_is_point = degree_of(a) < 1;
+  const bool first_is_point = degree_of(a) < 1;
+  if (first_is_point || degree_of(c) < 1) {
     meetings = first_is_point ? parameters_of(value_at(a, 0), c, field, numbers)
                               : parameters_of(value_at(c, 0), a, field, numbers);
     if (!meetings.is_zero() && trivial) remove_root(meetings, first_is_point ? y : x, field);
@@ -245,6 +245,7 @@ CurveMeetings curve_meetings(const ModularCurve& first, const ModularCurve& seco
   result.images = ratios_on_roots(meetings, combination(a, f, field), combination(a, g, field), field);
   result.parameters = ratios_on_roots(meetings, linear(first_change.a, first_change.b, field),
                                       linear(first_change.c, first_change.d, field), field);
+  result.infinite_parameters = !first_is_point && result.parameters.size() == 1;
   return result;
 }
 

@@ -28,6 +28,8 @@ struct CurveMeetings {
   /// The parameters of the first curve at common points, as the roots of a polynomial, ascending coefficients; the one
   /// at infinity is left out. Empty where there are none.
   std::vector<mp_limb_t> parameters;
+  /// There are common points, all at the infinite parameter of the first curve.
+  bool infinite_parameters = false;
 };
 
 /// A pair of parameters that does not count.
