@@ -222,20 +222,27 @@ class GraphBuilder {
         TopologyEdge edge;
         edge.from = *left_ends_[slab][arc].vertex;
         edge.on_border = slabs_[slab].places[arc] != 0;
-        if (points_[edge.from]) edge.polyline.push_back(*points_[edge.from]);
+        std::vector<std::array<double, 2>>& polyline = edge.polyline;
+        const auto append = [&](const std::array<double, 2>& point) {
+          if (polyline.empty() || polyline.back()[0] < point[0]) polyline.push_back(point);
+        };
+        if (points_[edge.from]) append(*points_[edge.from]);
         for (std::size_t at = slab, which = arc;; ++at) {
           const auto& points = slabs_[at].polylines[which];
-          edge.polyline.insert(edge.polyline.end(), points.begin(), points.end());
+          std::for_each(points.begin(), points.end(), append);
           const ArcEnd& end = right_ends_[at][which];
           if (end.vertex) {
             edge.to = *end.vertex;
             break;
           }
           if (!end.next_arc || at + 1 == slabs_.size()) throw PrecisionExhausted("an arc ends at no vertex");
-          if (end.passage) edge.polyline.push_back(*end.passage);
+          if (end.passage) append(*end.passage);
           which = *end.next_arc;
         }
-        if (points_[edge.to]) edge.polyline.push_back(*points_[edge.to]);
+        if (points_[edge.to]) {
+          while (polyline.size() > 1 && !(polyline.back()[0] < (*points_[edge.to])[0])) polyline.pop_back();
+          polyline.push_back(*points_[edge.to]);
+        }
         result_.edges.push_back(std::move(edge));
       }
   }

@@ -62,7 +62,8 @@ struct TopologyEdge {
   /// A part of the border of the box.
   bool on_border = false;
   /// Points of the curve, each within TopologyResult::error in each coordinate, from `from` to `to`; without ends at
-  /// infinity. Arcs that lie above each other have points at the same abscissae, in the same order.
+  /// infinity. Arcs that lie above each other have points at the same abscissae, in the same order; a point whose
+  /// abscissa is the double of the one before is left out.
   std::vector<std::array<double, 2>> polyline;
 };
 

@@ -27,17 +27,19 @@ Rational rational_of(double value) {
   return result;
 }
 
-/// An end of a ball.
-Rational end_of(const RealBall& ball, bool upper) {
-  RealBall end;
-  constexpr long bits = 128;
-  if (upper)
-    arb_get_ubound_arf(arb_midref(end.get()), ball.get(), bits);
-  else
-    arb_get_lbound_arf(arb_midref(end.get()), ball.get(), bits);
+Rational rational_of(arf_srcptr value) {
   Rational result;
-  arf_get_fmpq(result.get(), arb_midref(end.get()));
+  arf_get_fmpq(result.get(), value);
   return result;
+}
+
+/// An end of a ball, exactly: events may be closer than any number of bits.
+Rational end_of(const RealBall& ball, bool upper) {
+  RealBall radius;
+  arb_get_rad_arb(radius.get(), ball.get());
+  const Rational middle = rational_of(arb_midref(ball.get()));
+  const Rational reach = rational_of(arb_midref(radius.get()));
+  return upper ? middle + reach : middle - reach;
 }
 
 /// A multiple of a power of two between two numbers, as short as that can be, at about this part of the way.
