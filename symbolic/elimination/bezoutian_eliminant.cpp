@@ -62,15 +62,16 @@ class Classification {
                       has_constant_weight(second_);
       return result;
     }
-    if (base_points && base_points_proven(factor.factor)) {
+    if (finite > 0) {
+      // Also above base points: here the surfaces do meet.
+      result.kind = ComponentKind::contracted_curve;
+      result.proven = !self_ && proves_one_point(matrix_, factor.factor, seed_, context_);
+    } else if (base_points && base_points_proven(factor.factor)) {
       result.kind = ComponentKind::base_point;
       result.proven = true;
     } else if (at_infinity > 0) {
       result.kind = ComponentKind::at_infinity;
       result.proven = at_infinity_proven(factor.factor);
-    } else if (finite > 0) {
-      result.kind = ComponentKind::contracted_curve;
-      result.proven = !self_ && proves_one_point(matrix_, factor.factor, seed_, context_);
     } else if (self_) {
       result.kind = ComponentKind::coincident_parameters;
     }

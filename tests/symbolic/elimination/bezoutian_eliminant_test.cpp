@@ -208,6 +208,24 @@ TEST_CASE("Bezoutian eliminant: a curve that is only at the infinite parameter o
   CHECK_FALSE(crossing.components.back().infinite_parameters);
 }
 
+TEST_CASE("Bezoutian eliminant: two spheres that touch in a pole of both keep the point of contact") {
+  // Of radius 1 and 2, touching in (0, 0, 1), the pole v = 0 of the first and t = 0 of the second.
+  const RationalSurface first = first_surface(sphere_by_angles);
+  const RationalSurface second =
+      second_surface({"(s^2 + 1)*(t^2 + 1)", "4t*(1 - s^2)", "8s*t", "2*(1 - t^2)*(s^2 + 1) - (s^2 + 1)*(t^2 + 1)"});
+  const BezoutianEliminant eliminant = intersection(first, second);
+  REQUIRE(eliminant.vanishing == DeterminantVanishing::no);
+  CHECK(eliminant.curve == Polynomial::constant(2, 1));
+  bool seen = false;
+  for (const EliminantComponent& component : eliminant.components)
+    if (component.factor == parsed("t", kept_parameters())) {
+      seen = true;
+      CHECK(component.kind == Kind::contracted_curve);
+      CHECK(component.meetings >= 1);
+    }
+  CHECK(seen);
+}
+
 TEST_CASE("Bezoutian eliminant: a bilinear surface does not meet itself") {
   const BezoutianEliminant none = self_intersection(second_surface({"1", "s", "t", "s*t"}));
   CHECK(none.size == 0);
