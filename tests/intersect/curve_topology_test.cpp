@@ -554,6 +554,85 @@ TEST_CASE("Curve topology: random curves have one shape in all coordinates, and 
   }
 }
 
+namespace {
+
+using Coefficients = std::vector<Rational>;
+
+void drop_leading_zeros(Coefficients& p) {
+  while (!p.empty() && p.back().is_zero()) p.pop_back();
+}
+
+/// The remainder of a by b, ascending coefficients.
+Coefficients remainder(Coefficients a, const Coefficients& b) {
+  while (a.size() >= b.size()) {
+    const Rational quotient = a.back() / b.back();
+    for (std::size_t i = 0; i < b.size(); ++i)
+      a[a.size() - b.size() + i] = a[a.size() - b.size() + i] - quotient * b[i];
+    drop_leading_zeros(a);
+  }
+  return a;
+}
+
+/// Distinct real roots of f(x, y) in y by Sturm's theorem.
+long real_roots_above(const Polynomial& f, const Rational& abscissa) {
+  Coefficients p(static_cast<std::size_t>(f.degree(1)) + 1);
+  for (const Polynomial::Term& term : f.terms()) {
+    Rational power(1);
+    for (unsigned long k = 0; k < term.exponents[0]; ++k) power = power * abscissa;
+    p[term.exponents[1]] = p[term.exponents[1]] + term.coefficient * power;
+  }
+  drop_leading_zeros(p);
+  if (p.size() < 2) return 0;
+  std::vector<Coefficients> sturm{p, {}};
+  for (std::size_t i = 1; i < p.size(); ++i) sturm[1].push_back(Rational(static_cast<long>(i)) * p[i]);
+  while (true) {
+    Coefficients next = remainder(sturm[sturm.size() - 2], sturm.back());
+    if (next.empty()) break;
+    for (Rational& c : next) c = -c;
+    sturm.push_back(std::move(next));
+  }
+  const auto variations = [&](int side) {
+    int changes = 0;
+    int last = 0;
+    for (const Coefficients& q : sturm) {
+      const int sign = q.back().sign() * (side < 0 && q.size() % 2 == 0 ? -1 : 1);
+      if (last * sign < 0) ++changes;
+      last = sign;
+    }
+    return changes;
+  };
+  return variations(-1) - variations(1);
+}
+
+}  // namespace
+
+TEST_CASE("Curve topology: as many edges cross a vertical line as Sturm's theorem says") {
+  test::Random random(22);
+  for (int round = 0; round < 40; ++round) {
+    Polynomial p = test::random_dense(random, static_cast<unsigned long>(random.between(2, 5)), 4);
+    // A factor squared, moved apart a little or not at all.
+    if (round % 3 == 0) p = p * p + Rational(random.between(-1, 0)) / Rational(1000000) * number(1);
+    if (p.is_constant()) continue;
+    INFO(test::text(p));
+    const TopologyResult result = topology(p);
+    check_graph(result, false);
+    const auto x_of = [&](std::size_t v) {
+      const TopologyVertex& vertex = result.vertices[v];
+      return vertex.x_infinite != 0 ? 1e300 * vertex.x_infinite : std::stod(vertex.x.real);
+    };
+    for (long k = -20; k <= 20; ++k) {
+      const double at = static_cast<double>(k) / 8 + 0x1p-7;
+      INFO(at);
+      long edges = 0;
+      for (const intersect::TopologyEdge& edge : result.edges) {
+        CHECK(std::fabs(x_of(edge.from) - at) > 1e-12);
+        if (x_of(edge.from) < at && at < x_of(edge.to)) ++edges;
+      }
+      CHECK(edges == real_roots_above(p, exact(at)));
+    }
+  }
+}
+
 TEST_CASE("Curve topology: the eliminant of a self-intersection has the known critical points and windows") {
   std::ifstream file(std::string(ELIMINANT_TEST_DATA) + "/curve_topology.json");
   REQUIRE(file);
