@@ -25,7 +25,7 @@ struct OptionText {
 constexpr std::array<OptionText, 10> valued_options{{
     {"format", "text|json|csv", "how the answer is printed (default text)"},
     {"digits", "N", "significant decimal digits of each coordinate (default 15)"},
-    {"engine", "auto|pencil|exact", "how the solutions are found (default auto)"},
+    {"engine", "auto|pencil|exact|box", "how the solutions are found (default auto)"},
     {"matrix", "auto|sylvester|bezout|hybrid", "which resultant matrix (default auto)"},
     {"precision", "auto|53|128|256|512|1024", "bits of the numeric stage (default auto: climbs from 53)"},
     {"epsilon", "E", "threshold of the published numeric algorithm; never decides what is reported"},

@@ -210,8 +210,14 @@ class PiecePair {
   }
 
   Filling fill(CurveSolution& solution, const PointOnCurve& point, bool real) {
-    const std::optional<Preimages> preimages = find_preimages(point);
-    if (!preimages) return Filling::more_precision;
+    // At a point to which a whole curve of parameters belongs no precision tells them.
+    const long patience = largest_preimage_precision + 16 * bits_for_digits(options_.digits);
+    std::optional<Preimages> preimages = find_preimages(point);
+    if (!preimages) {
+      if (point.precision_bits < patience) return Filling::more_precision;
+      preimages.emplace();
+      preimages->proven = false;
+    }
     Answer inside = surface_.piece.region ? Answer::no : Answer::yes;
     for (const HomogeneousParameters& parameters : preimages->parameters) {
       if (is_base_point(parameters, point)) {
@@ -220,7 +226,11 @@ class PiecePair {
       }
       std::optional<std::vector<Parameter>> printed = print(parameters, point, solution.radius_exponent);
       const Answer within = is_within(parameters, point);
-      if (!printed || within == Answer::unknown) return Filling::more_precision;
+      if (!printed || within == Answer::unknown) {
+        if (point.precision_bits < patience) return Filling::more_precision;
+        preimages->proven = false;
+        continue;
+      }
       // Of a patch only what lies in it, of a point outside everything.
       if (within == Answer::yes && inside == Answer::no) solution.surface_parameters.clear();
       if (within == Answer::yes || inside == Answer::no || !surface_.piece.region)
@@ -237,7 +247,8 @@ class PiecePair {
     if (surface_.piece.region && inside == Answer::yes && preimages->proven && preimages->kernel_dimension > 1 &&
         solution.multiplicity == preimages->parameters.size())
       solution.multiplicity = static_cast<unsigned long>(solution.surface_parameters.size());
-    if (options_.engine == Engine::pencil) solution.eigenvalue_multiplicity = eigenvalue_multiplicity(point);
+    if (options_.engine == Engine::pencil && !minors_.finite.is_zero())
+      solution.eigenvalue_multiplicity = eigenvalue_multiplicity(point);
     if (inside == Answer::unknown) {
       solution.certified = false;
       solution.reason = "whether the point lies in the patch is not proven";
@@ -503,6 +514,18 @@ class PiecePair {
   ParameterForm minors_;
 };
 
+/// Whether solutions of different pieces may have one t and lack the polynomial that would tell.
+bool have_common_parameters(const CurveResult& result) {
+  for (std::size_t i = 0; i < result.solutions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const CurveSolution& a = result.solutions[i];
+      const CurveSolution& b = result.solutions[j];
+      if ((a.t_polynomial && b.t_polynomial) || !*a.t || !*b.t) continue;
+      if (acb_overlaps((*a.t)->ball.get(), (*b.t)->ball.get()) != 0) return true;
+    }
+  return false;
+}
+
 CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& options, const Context& context) {
   symbolic::install_flint_error_handler();
   const auto start = std::chrono::steady_clock::now();
@@ -540,6 +563,12 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
             result.solutions.erase(result.solutions.begin() + static_cast<std::ptrdiff_t>(k));
       }
     }
+  }
+  if (options.engine != Engine::exact && have_common_parameters(result)) {
+    // Only with its equation is a parameter known to be another one's, or not.
+    Options exactly_known = options;
+    exactly_known.engine = Engine::exact;
+    return solve_once(problem, exactly_known, context);
   }
   merge_pieces(result, context);
   finish(options, result);

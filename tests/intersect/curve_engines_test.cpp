@@ -166,6 +166,44 @@ TEST_CASE("Two sheets of a patch at one parameter are one solution") {
   CHECK(result.solutions[0].surface_parameters.size() == 2);
 }
 
+TEST_CASE("Two pieces of a surface at one parameter are one solution, whatever the engine") {
+  // Walls over two segments that cross in (1, 1).
+  const symbolic::ParameterRegion region{{Interval{0, 1}, Interval{0, 1}}, false};
+  const symbolic::SurfacePiece wall = tensor_map({"2*s", "2*s", "t", "1"}, region);
+  const symbolic::ParameterRegion next{{Interval{1, 2}, Interval{0, 1}}, false};
+  const symbolic::SurfacePiece other = tensor_map({"4 - 2*s", "2*s - 2", "t", "1"}, next);
+  for (const Engine engine : {Engine::automatic, Engine::box, Engine::pencil, Engine::exact}) {
+    const CurveResult result =
+        solve({map_of({"1", "4*t - 1", "1/2", "1"}, Interval{0, 1}), ParametricSurface{{wall, other}}}, engine);
+    CHECK(result.status == Status::certified);
+    REQUIRE(result.solutions.size() == 1);
+    CHECK(is_t(result.solutions[0], Rational(1) / Rational(2)));
+    CHECK(result.solutions[0].surface_parameters.size() == 2);
+  }
+}
+
+TEST_CASE("A point to which a whole border of a plane patch belongs") {
+  // The border t = 1 is the point (2, 1, 0).
+  const symbolic::ParameterRegion region{{Interval{0, 1}, Interval{0, 1}}, false};
+  const CurveResult result =
+      solve({map_of({"2", "1", "2*t - 1", "1"}, Interval{0, 1}),
+             ParametricSurface{{tensor_map({"(2 - 2*s)*(1 - t)^2 + 2*t*(1 - t)*(3*s - 2) + 2*t^2",
+                                            "(3*s - 2)*(1 - t)^2 + 4*t*(1 - t)*(1 - s) + t^2", "0", "1"},
+                                           region)}}},
+            Engine::automatic);
+  REQUIRE(result.solutions.size() == 1);
+  CHECK(is_t(result.solutions[0], Rational(1) / Rational(2)));
+}
+
+TEST_CASE("The pencil engine with a curve in the surface that leaves the patch") {
+  const symbolic::ParameterRegion region{{Interval{0, 1}, Interval{0, 1}}, false};
+  const CurveResult result = solve(
+      {map_of({"t", "1/2", "0", "1"}, Interval{-1, 2}), ParametricSurface{{tensor_map({"s", "t", "0", "1"}, region)}}},
+      Engine::pencil);
+  CHECK(result.status == Status::infinite);
+  CHECK(result.overlap.size() == 1);
+}
+
 TEST_CASE("Solutions that agree in all digits asked for get more") {
   const CurveResult close = solve(
       {map_of({"t", "0", "0", "1"}),
