@@ -514,6 +514,22 @@ class PiecePair {
   ParameterForm minors_;
 };
 
+/// True when the curve crosses the piece away from its borders, and transversally: one for each of its parameters.
+bool crosses_inside(const CurveSolution& solution, const SurfacePiece& surface) {
+  if (!surface.region || surface.region->triangle) return false;
+  if (solution.multiplicity != solution.surface_parameters.size()) return false;
+  constexpr long precision_bits = 256;
+  for (const std::vector<Parameter>& parameters : solution.surface_parameters)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!parameters[axis]) return false;
+      const bridge::RealBall lower(surface.region->sides[axis].lower, precision_bits);
+      const bridge::RealBall upper(surface.region->sides[axis].upper, precision_bits);
+      const ComplexBall& value = parameters[axis]->ball;
+      if (arb_gt(value.real(), lower.get()) == 0 || arb_lt(value.real(), upper.get()) == 0) return false;
+    }
+  return true;
+}
+
 /// Whether solutions of different pieces may have one t and lack the polynomial that would tell.
 bool have_common_parameters(const CurveResult& result) {
   for (std::size_t i = 0; i < result.solutions.size(); ++i)
@@ -532,6 +548,7 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
   CurveResult result;
   result.problem = "curve_surface";
   result.status = Status::certified;
+  std::vector<bool> sheets_inside;
   for (const CurvePiece& piece : problem.curve.pieces) {
     if (piece.map.dimension() != 3) throw InvalidInput("the curve lies in a plane", "a curve in space");
     if (piece.map.degree() < 1) throw InvalidInput("the curve is a single point", "a map that is not constant");
@@ -549,6 +566,7 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
             piece, condition, 1, real_only(options, piece.domain.has_value()), options, context,
             [](CurveSolution&, const PointOnCurve&) { return Filling::done; }, result);
     }
+    sheets_inside.assign(result.solutions.size(), false);
   } else {
     const Seams seams(problem.curve);
     const std::vector<SurfacePiece>& pieces = std::get<ParametricSurface>(problem.surface).pieces;
@@ -561,6 +579,8 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
         for (std::size_t k = result.solutions.size(); k-- > before;)
           if (seams.is_left_to_another(i, result.solutions[k].t))
             result.solutions.erase(result.solutions.begin() + static_cast<std::ptrdiff_t>(k));
+        for (std::size_t k = before; k < result.solutions.size(); ++k)
+          sheets_inside.push_back(crosses_inside(result.solutions[k], surface));
       }
     }
   }
@@ -570,7 +590,7 @@ CurveResult solve_once(const CurveSurfaceProblem& problem, const Options& option
     exactly_known.engine = Engine::exact;
     return solve_once(problem, exactly_known, context);
   }
-  merge_pieces(result, context);
+  merge_pieces(result, sheets_inside, context);
   finish(options, result);
   result.seconds.emplace_back("total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return result;

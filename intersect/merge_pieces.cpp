@@ -51,21 +51,27 @@ bool same_text(const Parameter& a, const Parameter& b) {
 
 }  // namespace
 
-void merge_pieces(CurveResult& result, const Context& context) {
+void merge_pieces(CurveResult& result, const std::vector<bool>& sheets_inside, const Context& context) {
   std::vector<CurveSolution> merged;
-  for (CurveSolution& solution : result.solutions) {
+  std::vector<bool> merged_inside;
+  for (std::size_t i = 0; i < result.solutions.size(); ++i) {
+    CurveSolution& solution = result.solutions[i];
     const auto known = std::find_if(merged.begin(), merged.end(), [&](const CurveSolution& other) {
       return same_parameter(other, solution, context);
     });
     if (known == merged.end()) {
       merged.push_back(std::move(solution));
+      merged_inside.push_back(sheets_inside[i]);
       continue;
     }
+    const auto at = static_cast<std::size_t>(known - merged.begin());
     known->inside = known->inside || solution.inside;
     known->certified = known->certified && solution.certified;
     if (known->reason.empty()) known->reason = solution.reason;
     known->radius_exponent = std::max(known->radius_exponent, solution.radius_exponent);
-    known->multiplicity = std::max(known->multiplicity, solution.multiplicity);
+    merged_inside[at] = merged_inside[at] && sheets_inside[i];
+    known->multiplicity = merged_inside[at] ? known->multiplicity + solution.multiplicity
+                                            : std::max(known->multiplicity, solution.multiplicity);
     for (std::vector<Parameter>& parameters : solution.surface_parameters)
       if (std::none_of(known->surface_parameters.begin(), known->surface_parameters.end(),
                        [&](const std::vector<Parameter>& other) {

@@ -179,6 +179,7 @@ TEST_CASE("Two pieces of a surface at one parameter are one solution, whatever t
     REQUIRE(result.solutions.size() == 1);
     CHECK(is_t(result.solutions[0], Rational(1) / Rational(2)));
     CHECK(result.solutions[0].surface_parameters.size() == 2);
+    CHECK(result.solutions[0].multiplicity == 2);
   }
 }
 
