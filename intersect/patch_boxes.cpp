@@ -19,8 +19,7 @@ constexpr std::size_t weight = 3;
 
 }  // namespace
 
-PatchBoxes::PatchBoxes(const symbolic::SurfacePiece& piece)
-    : piece_(piece), surface_(piece.map), prepared_(prepared_net(piece)) {
+PatchBoxes::PatchBoxes(const symbolic::SurfacePiece& piece) : surface_(piece.map), prepared_(prepared_net(piece)) {
   if (!prepared_) return;
   origin_ = prepared_->origin();
   net_ = prepared_->rounded(origin_);

@@ -17,7 +17,6 @@ namespace eliminant::intersect {
 /// A tensor-product patch prepared for the box engine, or not where it is none.
 class PatchBoxes {
  public:
-  /// The piece must outlive the object.
   explicit PatchBoxes(const symbolic::SurfacePiece& piece);
 
   /// All solutions within both closed domains, proven and none missing; nullopt where the box engine cannot decide: no
@@ -29,7 +28,6 @@ class PatchBoxes {
   bool excludes(const std::vector<bridge::ComplexBall>& point, const Context& context) const;
 
  private:
-  const symbolic::SurfacePiece& piece_;
   bridge::BallSurface surface_;
   std::optional<PreparedNet> prepared_;
   std::array<symbolic::Rational, 3> origin_;
