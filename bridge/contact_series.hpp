@@ -49,6 +49,37 @@ struct ContactSeries {
   std::vector<Scalar> difference;
 };
 
+/// The coordinates that are kept equal, and the derivatives of their differences by the parameters of the second side.
+template <class Scalar>
+struct KeptCoordinates {
+  std::size_t count = 0;
+  std::array<std::size_t, 2> index{};
+  std::array<std::array<Scalar, 2>, 2> jacobian;
+
+  KeptCoordinates(const TaylorTable<Scalar>& curve, const TaylorTable<Scalar>& second, std::size_t normal)
+      : count(second.parameters()) {
+    constexpr std::size_t weight = 3;
+    for (std::size_t k = 0, r = 0; k <= count; ++k) {
+      if (k == normal) continue;
+      for (std::size_t p = 0; p < count; ++p) {
+        const std::array<Scalar, 4>& slope = p == 0 ? second.at(1, 0) : second.at(0, 1);
+        jacobian[r][p] = curve.at(0)[k] * slope[weight] - curve.at(0)[weight] * slope[k];
+      }
+      index[r++] = k;
+    }
+  }
+  Scalar determinant() const {
+    return count == 1 ? jacobian[0][0] : jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
+  }
+  /// The changes of the parameters that take away these differences, to first order.
+  std::array<Scalar, 2> correction(const std::array<Scalar, 2>& differences) const {
+    const Scalar d = determinant();
+    if (count == 1) return {Scalar(0) - differences[0] / d, Scalar(0)};
+    return {(jacobian[0][1] * differences[1] - jacobian[1][1] * differences[0]) / d,
+            (jacobian[1][0] * differences[0] - jacobian[0][0] * differences[1]) / d};
+  }
+};
+
 /// Coordinates are compared with weights multiplied crosswise. `coordinates` are those that count, `normal` among them
 /// the one not kept equal; the others, as functions of the second side's parameters, must have an invertible derivative
 /// (else divisions by zero follow). At order 0 they are taken as equal.
@@ -63,9 +94,7 @@ ContactSeries<Scalar> contact_series(const TaylorTable<Scalar>& curve, const Tay
 
   ContactSeries<Scalar> result;
   for (std::size_t p = 0; p < unknowns; ++p) result.second[p].assign(order + 1, zero);
-  std::array<std::size_t, 2> kept{};
-  for (std::size_t k = 0, found = 0; k <= unknowns; ++k)
-    if (k != normal) kept[found++] = k;
+  const KeptCoordinates<Scalar> kept(curve, second, normal);
 
   // The coefficient of index m of the product.
   const auto product_coefficient = [&](const Series& a, const Series& b, std::size_t m) {
@@ -105,25 +134,13 @@ ContactSeries<Scalar> contact_series(const TaylorTable<Scalar>& curve, const Tay
     return product_coefficient(of_curve[k], weights, m) - product_coefficient(of_curve[weight], second_series(k, m), m);
   };
 
-  // Derivatives of the kept differences by the second side's parameters.
-  std::array<std::array<Scalar, 2>, 2> jacobian;
-  for (std::size_t r = 0; r < unknowns; ++r)
-    for (std::size_t p = 0; p < unknowns; ++p) {
-      const std::array<Scalar, 4>& slope = p == 0 ? second.at(1, 0) : second.at(0, 1);
-      jacobian[r][p] = of_curve[kept[r]][0] * slope[weight] - of_curve[weight][0] * slope[kept[r]];
-    }
   for (std::size_t m = 1; m <= order; ++m) {
     compose(m);
     const Series weights = second_series(weight, m);
-    std::array<Scalar, 2> rest;
-    for (std::size_t r = 0; r < unknowns; ++r) rest[r] = difference(kept[r], m, weights);
-    if (unknowns == 1) {
-      result.second[0][m] = zero - rest[0] / jacobian[0][0];
-    } else {
-      const Scalar determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-      result.second[0][m] = (jacobian[0][1] * rest[1] - jacobian[1][1] * rest[0]) / determinant;
-      result.second[1][m] = (jacobian[1][0] * rest[0] - jacobian[0][0] * rest[1]) / determinant;
-    }
+    std::array<Scalar, 2> rest{zero, zero};
+    for (std::size_t r = 0; r < unknowns; ++r) rest[r] = difference(kept.index[r], m, weights);
+    const std::array<Scalar, 2> terms = kept.correction(rest);
+    for (std::size_t p = 0; p < unknowns; ++p) result.second[p][m] = terms[p];
   }
   compose(order);
   const Series weights = second_series(weight, order);

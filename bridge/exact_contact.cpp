@@ -38,13 +38,9 @@ struct BoxSeries {
   /// For each parameter of the curve at most one point of the second is equal in the coordinates kept: the derivative
   /// by its parameters stays near one matrix, minus the identity in the frame of the contact.
   bool second_injective() const {
-    const std::size_t n = other.parameters();
-    std::array<std::array<DoubleInterval, 2>, 2> jacobian;
-    for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t p = 0; p < n; ++p) {
-        const std::array<DoubleInterval, 4>& slope = p == 0 ? other.at(1, 0) : other.at(0, 1);
-        jacobian[r][p] = curve.at(0)[r] * slope[weight] - slope[r] * curve.at(0)[weight];
-      }
+    const KeptCoordinates<DoubleInterval> kept(curve, other, other.parameters());
+    const auto& jacobian = kept.jacobian;
+    const std::size_t n = kept.count;
     const auto middle = [](const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); };
     for (std::size_t r = 0; r < n; ++r) {
       const double diagonal = middle(jacobian[r][r]);
@@ -189,26 +185,11 @@ std::optional<Approach> approach(const ControlNet& first, const ControlNet& seco
     const ContactSeries<double> series = contact_series(a, b, *normal);
     // The second side is led to the first in the coordinates kept equal, then both along until the derivative of order
     // k - 1 vanishes.
-    std::array<double, 2> correction{};
-    std::array<std::size_t, 2> kept{};
-    for (std::size_t k = 0, found = 0; k <= second.parameters(); ++k)
-      if (k != *normal) kept[found++] = k;
-    std::array<std::array<double, 2>, 2> jacobian{};
-    std::array<double, 2> value{};
-    for (std::size_t r = 0; r < second.parameters(); ++r) {
-      value[r] = a.at(0)[kept[r]] * b.at(0)[weight] - b.at(0)[kept[r]] * a.at(0)[weight];
-      for (std::size_t p = 0; p < second.parameters(); ++p) {
-        const std::array<double, 4>& slope = p == 0 ? b.at(1, 0) : b.at(0, 1);
-        jacobian[r][p] = a.at(0)[kept[r]] * slope[weight] - slope[kept[r]] * a.at(0)[weight];
-      }
-    }
-    if (second.parameters() == 1) {
-      correction[0] = -value[0] / jacobian[0][0];
-    } else {
-      const double determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-      correction[0] = (jacobian[0][1] * value[1] - jacobian[1][1] * value[0]) / determinant;
-      correction[1] = (jacobian[1][0] * value[0] - jacobian[0][0] * value[1]) / determinant;
-    }
+    const KeptCoordinates<double> kept(a, b, *normal);
+    std::array<double, 2> differences{};
+    for (std::size_t r = 0; r < kept.count; ++r)
+      differences[r] = a.at(0)[kept.index[r]] * b.at(0)[weight] - b.at(0)[kept.index[r]] * a.at(0)[weight];
+    const std::array<double, 2> correction = kept.correction(differences);
     const double along = -series.difference[order - 1] / (static_cast<double>(order) * series.difference[order]);
     double largest = std::fabs(along);
     at[0] += along;
@@ -238,18 +219,7 @@ std::optional<Approach> approach(const ControlNet& first, const ControlNet& seco
 /// Whether the coordinates other than the normal one have an invertible derivative by the second's parameters, exactly:
 /// in doubles a singular point at parameters that are not dyadic does not look like one.
 bool is_graph_over_kept(const TaylorTable<Rational>& curve, const TaylorTable<Rational>& second, std::size_t normal) {
-  const std::size_t unknowns = second.parameters();
-  std::array<std::array<Rational, 2>, 2> jacobian;
-  for (std::size_t k = 0, r = 0; k <= unknowns; ++k) {
-    if (k == normal) continue;
-    for (std::size_t p = 0; p < unknowns; ++p) {
-      const std::array<Rational, 4>& slope = p == 0 ? second.at(1, 0) : second.at(0, 1);
-      jacobian[r][p] = curve.at(0)[k] * slope[weight] - curve.at(0)[weight] * slope[k];
-    }
-    ++r;
-  }
-  if (unknowns == 1) return !jacobian[0][0].is_zero();
-  return !(jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0]).is_zero();
+  return !KeptCoordinates<Rational>(curve, second, normal).determinant().is_zero();
 }
 
 }  // namespace

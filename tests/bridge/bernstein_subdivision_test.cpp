@@ -18,10 +18,6 @@ using namespace eliminant::test;
 
 namespace {
 
-const Powers one = powers({1});
-const Powers zero = powers({0});
-const Powers t = powers({0, 1});
-
 SubdivisionResult subdivide(const ControlNet& first, const ControlNet& second,
                             const SubdivisionLimits& limits = SubdivisionLimits()) {
   const Context context;
@@ -58,8 +54,6 @@ bool are_these(const SubdivisionResult& found, const std::vector<std::vector<Rat
            }) == 1;
   });
 }
-
-Rational ratio(long p, long q) { return Rational(p) / Rational(q); }
 
 class Draw {
  public:

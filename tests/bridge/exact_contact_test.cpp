@@ -13,12 +13,6 @@ using namespace eliminant::test;
 
 namespace {
 
-const Powers one = powers({1});
-const Powers zero = powers({0});
-const Powers t = powers({0, 1});
-
-Rational ratio(long p, long q) { return Rational(p) / Rational(q); }
-
 /// A pair and its prover.
 struct Pair {
   ExactNet exact_first;

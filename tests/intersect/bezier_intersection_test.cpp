@@ -21,10 +21,6 @@ using bridge::HomogeneousPoint;
 
 namespace {
 
-const Powers one = powers({1});
-const Powers zero = powers({0});
-const Powers t = powers({0, 1});
-
 /// The points in doubles, after all have been multiplied by `factor`, which must make them representable.
 std::vector<HomogeneousPoint> exact_doubles(const ExactNet& net, long factor) {
   std::vector<HomogeneousPoint> points;

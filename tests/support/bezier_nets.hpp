@@ -26,6 +26,12 @@ inline Powers powers(std::initializer_list<long> coefficients) {
   return result;
 }
 
+inline const Powers one = powers({1});
+inline const Powers zero = powers({0});
+inline const Powers t = powers({0, 1});
+
+inline Rational ratio(long p, long q) { return Rational(p) / Rational(q); }
+
 inline Powers operator+(const Powers& a, const Powers& b) {
   Powers sum(std::max(a.size(), b.size()));
   for (std::size_t i = 0; i < a.size(); ++i) sum[i] = sum[i] + a[i];
