@@ -33,8 +33,8 @@ ModularPolynomial restricted(const Polynomial& f, std::size_t index, mp_limb_t v
 }
 
 /// The curve of the surface where parameter `kept` has this value.
-ModularCurve curve_at(const RationalSurface& surface, std::size_t kept, mp_limb_t value, const PrimeField& field) {
-  ModularCurve curve(static_cast<std::size_t>(surface.bidegree()[1 - kept]) + 1, {0, 0, 0, 0});
+ModularSpaceCurve curve_at(const RationalSurface& surface, std::size_t kept, mp_limb_t value, const PrimeField& field) {
+  ModularSpaceCurve curve(static_cast<std::size_t>(surface.bidegree()[1 - kept]) + 1, {0, 0, 0, 0});
   for (std::size_t k = 0; k < 4; ++k) {
     const ModularPolynomial coordinate = restricted(surface.coordinates()[(k + 3) % 4], kept, value, field);
     for (long e = 0; e <= coordinate.degree(); ++e)
@@ -88,8 +88,8 @@ std::optional<Observation> ComponentObserver::on(const Polynomial& f, std::uint6
 }
 
 CurveMeetings ComponentObserver::above(const PlanePoint& point, const PrimeField& field, std::uint64_t round) const {
-  const ModularCurve first = curve_at(first_, 0, point.u, field);
-  const ModularCurve second = curve_at(second_, 1, point.t, field);
+  const ModularSpaceCurve first = curve_at(first_, 0, point.u, field);
+  const ModularSpaceCurve second = curve_at(second_, 1, point.t, field);
   std::optional<TrivialPair> trivial;
   std::optional<TrivialPair> exchanged;
   if (self_) {

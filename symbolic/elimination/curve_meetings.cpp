@@ -40,7 +40,7 @@ ModularPolynomial linear(mp_limb_t slope, mp_limb_t constant, const PrimeField& 
   return result;
 }
 
-Coordinates changed(const ModularCurve& curve, const ChangeOfParameter& change, const PrimeField& field) {
+Coordinates changed(const ModularSpaceCurve& curve, const ChangeOfParameter& change, const PrimeField& field) {
   const std::size_t degree = curve.size() - 1;
   const ModularPolynomial numerator = linear(change.a, change.b, field);
   const ModularPolynomial denominator = linear(change.c, change.d, field);
@@ -191,7 +191,7 @@ std::vector<mp_limb_t> ratios_on_roots(const ModularPolynomial& p, const Modular
 
 }  // namespace
 
-CurveMeetings curve_meetings(const ModularCurve& first, const ModularCurve& second,
+CurveMeetings curve_meetings(const ModularSpaceCurve& first, const ModularSpaceCurve& second,
                              const std::optional<TrivialPair>& trivial, const PrimeField& field, std::uint64_t seed,
                              std::uint64_t projection_seed) {
   Numbers numbers(field, seed);

@@ -12,7 +12,7 @@ namespace eliminant::symbolic {
 
 /// A rational curve in space over a prime field: the coefficient vectors of the powers of its parameter, the weight
 /// first. Its degree is the number of vectors minus 1, even where the last one vanishes (a common zero at infinity).
-using ModularCurve = std::vector<std::array<mp_limb_t, 4>>;
+using ModularSpaceCurve = std::vector<std::array<mp_limb_t, 4>>;
 
 /// What two curves of a pair have in common, each over the whole projective line of its parameter.
 struct CurveMeetings {
@@ -41,7 +41,7 @@ struct TrivialPair {
 /// The common points of two curves, those of the trivial pair left out (but not others with one of its parameters):
 /// common roots of resultants of random bilinear conditions that hold for equal points. Common zeros of the coordinates
 /// are divided out first. A number may be wrong for few choices of `seed`.
-CurveMeetings curve_meetings(const ModularCurve& first, const ModularCurve& second,
+CurveMeetings curve_meetings(const ModularSpaceCurve& first, const ModularSpaceCurve& second,
                              const std::optional<TrivialPair>& trivial, const PrimeField& field, std::uint64_t seed,
                              std::uint64_t projection_seed);
 
