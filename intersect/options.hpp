@@ -32,6 +32,10 @@ struct Options {
   bool certificate = false;
   /// Compute the implicit equation, too (implicitize).
   bool equation = false;
+  /// Of traced curves: largest distance of a polyline from the curve, relative to the size of the patches.
+  double tolerance = 1e-9;
+  /// Fit B-splines to traced curves, too.
+  bool splines = false;
   /// Seeds the choice of primes. The answer does not depend on it.
   std::uint64_t seed = 0;
   /// Worker threads; the answer does not depend on it.
