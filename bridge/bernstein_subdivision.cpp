@@ -88,7 +88,7 @@ class Subdivision {
       return;
     }
     const double widest = *std::max_element(frame.width.begin(), frame.width.end());
-    const Verdict<N> verdict = pair_.examine(widest);
+    const Verdict<N> verdict = pair_.examine(widest * limits_.part);
     if (verdict.excluded || (verdict.one_zero && settle(frame, verdict))) {
       frames_.pop_back();
       return;
@@ -101,13 +101,13 @@ class Subdivision {
       leave_open(frame);
       return;
     }
+    const auto places = narrowed_places(frame, verdict);
     double shrinking = 1;
-    for (std::size_t k = 0; k < N; ++k)
-      shrinking *= 0.5 * (verdict.upper[static_cast<long>(k)] - verdict.lower[static_cast<long>(k)]);
+    for (const auto& [from, to] : places) shrinking *= to - from;
     // A cut in two halves costs as much as narrowing.
     constexpr double worthwhile = 0.5;
     if (shrinking < worthwhile)
-      narrow(frame, verdict);
+      narrow(frame, places);
     else
       cut(verdict.axis);
   }
@@ -185,18 +185,39 @@ class Subdivision {
     frames_.push_back(right);
   }
 
-  /// Replaces the pair by the part of it that can hold zeros, and a little more, so that none stays on its border.
-  void narrow(Frame& frame, const Verdict<N>& verdict) {
+  /// The part of each parameter, in [0, 1] of its width, that can hold zeros, and a little more, so that none stays on
+  /// its border.
+  std::array<std::pair<double, double>, N> narrowed_places(const Frame& frame, const Verdict<N>& verdict) const {
+    double widest = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      const long i = static_cast<long>(k);
+      widest = std::max(widest, (verdict.upper[i] - verdict.lower[i]) * frame.width[k]);
+    }
+    std::array<std::pair<double, double>, N> places;
     for (std::size_t k = 0; k < N; ++k) {
       const double lower = verdict.lower[static_cast<long>(k)];
       const double upper = verdict.upper[static_cast<long>(k)];
       constexpr double little = 0x1p-6;
       constexpr double least = 0x1p-12;
+      // A parameter that is known much better than the others would make the bound of their errors, which is one for
+      // all in units of the widths, too large.
+      constexpr double thinnest = 0x1p-6;
       const double margin = little * (upper - lower) + least;
-      if (upper - lower + 2 * margin > 1.9) continue;
-      const double from = 0.5 * (lower - margin + 1);
-      const double to = 0.5 * (upper + margin + 1);
-      const auto restrict_side = [&](auto& side, std::size_t axis, Array4d& error) {
+      const double spare = std::max(0.0, 0.5 * (thinnest * widest / frame.width[k] - (upper - lower)));
+      const double from = std::max(lower - margin - spare, std::min(lower, -1.0) - margin);
+      const double to = std::min(upper + margin + spare, std::max(upper, 1.0) + margin);
+      constexpr double hardly = 1.9;
+      places[k] = to - from > hardly ? std::pair(0.0, 1.0) : std::pair(0.5 * (from + 1), 0.5 * (to + 1));
+    }
+    return places;
+  }
+
+  /// Replaces the pair by these parts of it.
+  void narrow(Frame& frame, const std::array<std::pair<double, double>, N>& places) {
+    for (std::size_t k = 0; k < N; ++k) {
+      const auto [from, to] = places[k];
+      if (from == 0 && to == 1) continue;
+      const auto restrict_side = [&, from = from, to = to](auto& side, std::size_t axis, Array4d& error) {
         restrict_to(side.shape, axis, from, to, side.points);
         // Beyond [0, 1] values and errors grow by less than this factor: (1 + 2 beyond)^degree.
         const auto degree = static_cast<double>(side.shape.degree[axis]);
@@ -308,9 +329,7 @@ class Subdivision {
       if (!(largest_step > at_rest)) break;
       if (radius < infinity && distance >= radius && largest_step < rounding) break;
     }
-    // Wide enough to be unique in the pair, and narrow enough to be useful.
-    constexpr double accurate = 0x1p-26;
-    return radius < accurate && add_zero(frame, radius);
+    return radius < limits_.largest_radius && add_zero(frame, radius);
   }
 
   /// How much more than `jet_error` says the values may be wrong at these parameters.

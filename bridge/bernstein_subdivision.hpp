@@ -16,7 +16,7 @@ struct IsolatedZero {
   /// Of the first, then of the second; the third is 0 for two curves.
   std::array<double, 3> parameters{};
   /// Each parameter is wrong by at most that: about the rounding of the control points times the condition of the zero,
-  /// and below 2^-26.
+  /// and below SubdivisionLimits::largest_radius.
   double radius = 0;
   /// There is no other zero whose parameters all differ by at most that.
   double isolation = 0;
@@ -48,6 +48,10 @@ struct SubdivisionLimits {
   /// As soon as so many are open, the rest is not looked at.
   std::size_t most_open = 1;
   unsigned long most_pairs = 20000;
+  /// A zero that cannot be enclosed within that is left open.
+  double largest_radius = 0x1p-26;
+  /// How much of larger nets the two are, in their parameters: that much flatter they are.
+  double part = 1;
 };
 
 /// Asked where parts are small and nearly parallel, with parameters in them: a box around a point of contact within

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/branch_subdivision.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <eliminant/bridge/bernstein_subdivision.hpp>
+#include <eliminant/bridge/surface_cell.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+/// The places of parts are rounded by less than this.
+constexpr double place_slack = 0x1p-44;
+
+/// A pair of parts and the points known on its sides.
+struct Cell {
+  std::array<double, 4> lower{};
+  std::array<double, 4> width{};
+  std::vector<Array4d> first;
+  std::vector<Array4d> second;
+  Array4d first_error;
+  Array4d second_error;
+  std::vector<std::size_t> points;
+};
+
+class Subdivision {
+ public:
+  Subdivision(const ControlNet& first, const ControlNet& second, const BranchLimits& limits, const Context& context)
+      : limits_(limits), context_(context) {
+    std::copy(first.degrees.begin(), first.degrees.end(), test_.first.shape.degree.begin());
+    std::copy(second.degrees.begin(), second.degrees.end(), test_.second.shape.degree.begin());
+    test_.first.polynomial = first.polynomial;
+    test_.second.polynomial = second.polynomial;
+    Cell& root = stack_.emplace_back();
+    root.width.fill(1);
+    root.first = first.points;
+    root.second = second.points;
+    root.first_error = first.error;
+    root.second_error = second.error;
+  }
+
+  BranchGraph run(const BorderPoints& border_points) && {
+    find_border_points(border_points);
+    while (!stack_.empty() && graph_.complete) {
+      if (++graph_.cells > limits_.most_cells) {
+        graph_.complete = false;
+        break;
+      }
+      constexpr unsigned long checked_every = 256;
+      if (graph_.cells % checked_every == 0) context_.checkpoint("subdividing");
+      step();
+    }
+    return std::move(graph_);
+  }
+
+ private:
+  const Side<2>& side_of(std::size_t axis) const { return axis < 2 ? test_.first : test_.second; }
+
+  void find_border_points(const BorderPoints& border_points) {
+    Cell& root = stack_.back();
+    load(root);
+    if (!bound(test_.first) || !bound(test_.second)) {
+      graph_.complete = false;
+      return;
+    }
+    if (test_.apart()) return;
+    for (std::size_t axis = 0; axis < 4; ++axis)
+      for (const int side : {-1, 1}) {
+        auto known = border_points(axis, side);
+        if (!known) {
+          graph_.complete = false;
+          return;
+        }
+        for (CrossingPoint& point : *known) {
+          root.points.push_back(graph_.points.size());
+          graph_.points.push_back(point);
+        }
+      }
+  }
+
+  void load(Cell& cell) {
+    test_.first.points = cell.first.data();
+    test_.second.points = cell.second.data();
+    test_.first.error = cell.first_error;
+    test_.second.error = cell.second_error;
+  }
+
+  void step() {
+    Cell& cell = stack_.back();
+    load(cell);
+    if (!bound(test_.first) || !bound(test_.second)) {
+      graph_.complete = false;
+      return;
+    }
+    CellVerdict verdict;
+    verdict.excluded = test_.apart();
+    if (!verdict.excluded) {
+      recentre(cell);
+      verdict = test_.examine();
+    }
+    if (verdict.excluded && cell.points.empty()) {
+      stack_.pop_back();
+      return;
+    }
+    if (verdict.regular && cell.points.size() <= 2 && cell.points.size() != 1) {
+      if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box_of(cell)});
+      stack_.pop_back();
+      return;
+    }
+    const double widest = *std::max_element(cell.width.begin(), cell.width.end());
+    // Points on its sides contradict an excluded cell, or a regular one with a single point: the intersection touches.
+    if (widest < limits_.smallest_width || verdict.excluded || (verdict.regular && cell.points.size() == 1)) {
+      leave_open(cell);
+      return;
+    }
+    if (verdict.regular && cut_between_points()) return;
+    const std::size_t axis = test_.widest_axis();
+    for (const double at : cut_places(axis))
+      if (cut(axis, at)) return;
+    for (std::size_t other = 0; other < 4; ++other)
+      for (const double at : cut_places(other))
+        if (other != axis && cut(other, at)) return;
+    leave_open(cell);
+  }
+
+  /// Not in the middle, where inputs have their symmetries, and nowhere at the same place on both patches, whose
+  /// parameters may be the same.
+  static std::array<double, 5> cut_places(std::size_t axis) {
+    switch (axis) {
+      case 0:
+        return {0.4921875, 0.53515625, 0.451171875, 0.578125, 0.40234375};
+      case 1:
+        return {0.5087890625, 0.4638671875, 0.5537109375, 0.421875, 0.6171875};
+      case 2:
+        return {0.5166015625, 0.470703125, 0.5654296875, 0.4287109375, 0.6298828125};
+      default:
+        return {0.482421875, 0.525390625, 0.4423828125, 0.5869140625, 0.3935546875};
+    }
+  }
+
+  /// Moves both parts to the origin once they are small beside their distance from it: roundings are relative to that.
+  void recentre(Cell& cell) {
+    const Array4d extent = test_.first.box.upper - test_.first.box.lower;
+    const Array4d size = test_.first.box.magnitude();
+    constexpr double much = 8;
+    if (!(size.head<3>().maxCoeff() > much * extent.head<3>().maxCoeff())) return;
+    Array4d shift = 0.5 * (test_.first.box.lower + test_.first.box.upper);
+    shift[3] = 0;
+    const auto move = [&](std::vector<Array4d>& points, Array4d& error, const Side<2>& side) {
+      for (Array4d& point : points) point -= side.polynomial ? shift : Array4d(shift * point[3]);
+      const double weight = side.polynomial ? 0 : side.size[3];
+      error +=
+          2 * unit_roundoff * (side.size + shift.abs() * (side.polynomial ? 1 : weight)) * (side.polynomial ? 0 : 1);
+      if (!side.polynomial) error += shift.abs() * error[3];
+    };
+    move(cell.first, cell.first_error, test_.first);
+    move(cell.second, cell.second_error, test_.second);
+    load(cell);
+    bound(test_.first);
+    bound(test_.second);
+    const auto add_rounding = [](Array4d& error, const Side<2>& side) {
+      if (!side.polynomial) return;
+      error += unit_roundoff * side.size;
+      error[3] = 0;
+    };
+    add_rounding(cell.first_error, test_.first);
+    add_rounding(cell.second_error, test_.second);
+    load(cell);
+    bound(test_.first);
+    bound(test_.second);
+  }
+
+  static CellBox box_of(const Cell& cell) {
+    CellBox box;
+    for (std::size_t k = 0; k < 4; ++k) {
+      box.lower[k] = cell.lower[k];
+      box.upper[k] = cell.lower[k] + cell.width[k];
+    }
+    return box;
+  }
+
+  void leave_open(const Cell& cell) {
+    graph_.open.push_back(box_of(cell));
+    stack_.pop_back();
+    if (graph_.open.size() >= limits_.most_open) graph_.complete = false;
+  }
+
+  /// Cuts where the gap between the points on the sides is largest.
+  bool cut_between_points() {
+    const Cell& cell = stack_.back();
+    struct Gap {
+      double size = 0;
+      std::size_t axis = 0;
+      double at = 0.5;
+    };
+    std::array<Gap, 4> gaps;
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::vector<double> places;
+      for (const std::size_t i : cell.points)
+        places.push_back((graph_.points[i].parameters[k] - cell.lower[k]) / cell.width[k]);
+      std::sort(places.begin(), places.end());
+      gaps[k].axis = k;
+      for (std::size_t i = 1; i + 2 < places.size(); i += 1) {
+        if (places[i + 1] - places[i] <= gaps[k].size) continue;
+        gaps[k].size = places[i + 1] - places[i];
+        gaps[k].at = 0.5 * (places[i + 1] + places[i]);
+      }
+    }
+    std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.size > b.size; });
+    for (const Gap& gap : gaps) {
+      constexpr double least_gap = 0.05;
+      if (gap.size > least_gap && cut(gap.axis, std::clamp(gap.at, 0.125, 0.875))) return true;
+    }
+    return false;
+  }
+
+  /// Cuts the topmost cell at a local parameter into two. False when the cut passes too near to known points, or not
+  /// all points on it can be found.
+  bool cut(std::size_t axis, double at) {
+    Cell& cell = stack_.back();
+    const double place = cell.lower[axis] + at * cell.width[axis];
+    std::vector<std::size_t> below;
+    std::vector<std::size_t> above;
+    for (const std::size_t i : cell.points) {
+      const double distance = graph_.points[i].parameters[axis] - place;
+      if (std::fabs(distance) < graph_.points[i].radius + 2 * place_slack + 1e-6 * cell.width[axis]) return false;
+      (distance < 0 ? below : above).push_back(i);
+    }
+    const auto found = points_on_cut(cell, axis, at);
+    if (!found) return false;
+    for (const CrossingPoint& point : *found) {
+      below.push_back(graph_.points.size());
+      above.push_back(graph_.points.size());
+      graph_.points.push_back(point);
+    }
+    split(axis, at, std::move(below), std::move(above));
+    return true;
+  }
+
+  void split(std::size_t axis, double at, std::vector<std::size_t> below, std::vector<std::size_t> above) {
+    Cell upper = stack_.back();
+    Cell& lower = stack_.back();
+    const Side<2>& side = side_of(axis);
+    const std::size_t k = axis % 2;
+    const auto restrict_part = [&](Cell& cell, double from, double to) {
+      std::vector<Array4d>& points = axis < 2 ? cell.first : cell.second;
+      Array4d& error = axis < 2 ? cell.first_error : cell.second_error;
+      restrict_to(side.shape, k, from, to, points.data());
+      error += 10 * static_cast<double>(side.shape.degree[k]) * unit_roundoff * side.size;
+      if (side.polynomial) error[3] = 0;
+      cell.lower[axis] += from * cell.width[axis];
+      cell.width[axis] *= to - from;
+    };
+    restrict_part(lower, 0, at);
+    restrict_part(upper, at, 1);
+    lower.points = std::move(below);
+    upper.points = std::move(above);
+    stack_.push_back(std::move(upper));
+  }
+
+  /// All points of the intersection on the cut, none of them on the border of the cell.
+  std::optional<std::vector<CrossingPoint>> points_on_cut(const Cell& cell, std::size_t axis, double at) {
+    ++graph_.sections;
+    const bool of_first = axis < 2;
+    ControlNet curve = section(of_first ? cell.first : cell.second, of_first ? cell.first_error : cell.second_error,
+                               side_of(axis), axis % 2, at);
+    ControlNet patch;
+    const Side<2>& other = of_first ? test_.second : test_.first;
+    patch.degrees = {other.shape.degree[0], other.shape.degree[1]};
+    patch.points = of_first ? cell.second : cell.first;
+    patch.error = of_first ? cell.second_error : cell.first_error;
+    patch.polynomial = other.polynomial;
+    SubdivisionLimits limits;
+    limits.most_pairs = 2000;
+    // They are only to be told apart.
+    limits.largest_radius = 0x1p-12;
+    limits.part = *std::max_element(cell.width.begin(), cell.width.end());
+    const SubdivisionResult found = bernstein_subdivision(curve, patch, nullptr, limits, context_);
+    if (!found.complete || !found.open.empty()) return std::nullopt;
+    std::vector<CrossingPoint> points;
+    for (const IsolatedZero& zero : found.zeros) {
+      CrossingPoint point;
+      const std::size_t along = of_first ? 1 - axis : 5 - axis;
+      std::array<double, 4> local{};
+      local[axis] = at;
+      local[along] = zero.parameters[0];
+      local[of_first ? 2 : 0] = zero.parameters[1];
+      local[of_first ? 3 : 1] = zero.parameters[2];
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k != axis && !(local[k] - zero.radius > 1e-6 && local[k] + zero.radius < 1 - 1e-6)) return std::nullopt;
+        point.parameters[k] = cell.lower[k] + local[k] * cell.width[k];
+        point.radius = std::max(point.radius, zero.radius * cell.width[k] + place_slack);
+      }
+      points.push_back(point);
+    }
+    return points;
+  }
+
+  /// The curve where the parameter of the axis has that value, by de Casteljau's algorithm.
+  static ControlNet section(const std::vector<Array4d>& points, const Array4d& error, const Side<2>& side,
+                            std::size_t axis, double at) {
+    const std::size_t degree = side.shape.degree[axis];
+    const std::size_t stride = side.shape.stride(axis);
+    ControlNet curve;
+    curve.degrees = {side.shape.degree[1 - axis]};
+    curve.polynomial = side.polynomial;
+    std::vector<Array4d> line(degree + 1);
+    side.shape.for_each_line(axis, [&](std::size_t base) {
+      for (std::size_t i = 0; i <= degree; ++i) line[i] = points[base + i * stride];
+      for (std::size_t level = degree; level > 0; --level)
+        for (std::size_t i = 0; i < level; ++i) line[i] = (1 - at) * line[i] + at * line[i + 1];
+      curve.points.push_back(line[0]);
+    });
+    curve.error = error + 4 * static_cast<double>(degree) * unit_roundoff * side.size;
+    if (side.polynomial) curve.error[3] = 0;
+    return curve;
+  }
+
+  const BranchLimits& limits_;
+  const Context& context_;
+  SurfaceCell test_;
+  std::vector<Cell> stack_;
+  BranchGraph graph_;
+};
+
+}  // namespace
+
+BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, const BorderPoints& border_points,
+                               const BranchLimits& limits, const Context& context) {
+  return Subdivision(first, second, limits, context).run(border_points);
+}
+
+}  // namespace eliminant::bridge

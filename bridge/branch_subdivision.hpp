@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/bridge/control_net.hpp>
+
+namespace eliminant::bridge {
+
+/// A point of the intersection of two patches, parameters (u, v, s, t) in [0, 1].
+struct CrossingPoint {
+  std::array<double, 4> parameters{};
+  /// Each parameter is wrong by at most that.
+  double radius = 0;
+  /// On the border of the domain: -1 where the parameter is 0, 1 where it is 1, else 0.
+  std::array<int, 4> side{};
+};
+
+/// A box of parameters of both patches.
+struct CellBox {
+  std::array<double, 4> lower{};
+  std::array<double, 4> upper{};
+};
+
+/// A smooth arc between two crossing points, all of the intersection in its box.
+struct CellArc {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  CellBox box;
+};
+
+/// The intersection as a graph: crossing points of degree 1 (on the border) or 2, arcs between them.
+struct BranchGraph {
+  std::vector<CrossingPoint> points;
+  std::vector<CellArc> arcs;
+  /// Parts of the domain of which nothing is proven: contacts, singular points, arcs that touch the border. Not all of
+  /// them, when `complete` is false.
+  std::vector<CellBox> open;
+  bool complete = true;
+  /// Pairs of parts that were looked at.
+  unsigned long cells = 0;
+  /// Curve/patch problems that were solved on the sides of parts.
+  unsigned long sections = 0;
+};
+
+struct BranchLimits {
+  /// Boxes narrower than this in every parameter are left open.
+  double smallest_width = 0x1p-20;
+  std::size_t most_open = 64;
+  unsigned long most_cells = 200000;
+};
+
+/// Crossing points on a border curve of the domain that are known from elsewhere (exactly): of the axis and side. Must
+/// be all; nullopt where they are not known.
+using BorderPoints = std::function<std::optional<std::vector<CrossingPoint>>(std::size_t axis, int side)>;
+
+/// The real intersection of two tensor-product patches on [0, 1]^2, in hardware doubles with a bound on every rounding.
+/// Weights must be positive.
+///
+/// The parameters of both are cut in two until a pair of parts is proven to have no point in common, or only arcs that
+/// are monotone in one direction of space (SurfaceCell), and at most one of these. Wherever a part is cut, the points
+/// on the cut are all points of a curve on a patch (bernstein_subdivision): a monotone arc has exactly two on the sides
+/// of its cell. A cut is moved where it would pass near points that are known already, or touch the intersection.
+/// Source: subdivision by transversality [SederbergMeyers1988].
+BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, const BorderPoints& border_points,
+                               const BranchLimits& limits, const Context& context);
+
+}  // namespace eliminant::bridge
