@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <eliminant/bridge/bernstein_subdivision.hpp>
@@ -42,8 +43,9 @@ class Subdivision {
     root.second_error = second.error;
   }
 
-  BranchGraph run(const BorderPoints& border_points) && {
-    find_border_points(border_points);
+  BranchGraph run(std::vector<CrossingPoint> border) && {
+    graph_.points = std::move(border);
+    for (std::size_t i = 0; i < graph_.points.size(); ++i) stack_.back().points.push_back(i);
     while (!stack_.empty() && graph_.complete) {
       if (++graph_.cells > limits_.most_cells) {
         graph_.complete = false;
@@ -58,28 +60,6 @@ class Subdivision {
 
  private:
   const Side<2>& side_of(std::size_t axis) const { return axis < 2 ? test_.first : test_.second; }
-
-  void find_border_points(const BorderPoints& border_points) {
-    Cell& root = stack_.back();
-    load(root);
-    if (!bound(test_.first) || !bound(test_.second)) {
-      graph_.complete = false;
-      return;
-    }
-    if (test_.apart()) return;
-    for (std::size_t axis = 0; axis < 4; ++axis)
-      for (const int side : {-1, 1}) {
-        auto known = border_points(axis, side);
-        if (!known) {
-          graph_.complete = false;
-          return;
-        }
-        for (CrossingPoint& point : *known) {
-          root.points.push_back(graph_.points.size());
-          graph_.points.push_back(point);
-        }
-      }
-  }
 
   void load(Cell& cell) {
     test_.first.points = cell.first.data();
@@ -328,9 +308,9 @@ class Subdivision {
 
 }  // namespace
 
-BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, const BorderPoints& border_points,
+BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
                                const BranchLimits& limits, const Context& context) {
-  return Subdivision(first, second, limits, context).run(border_points);
+  return Subdivision(first, second, limits, context).run(std::move(border));
 }
 
 }  // namespace eliminant::bridge

@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
@@ -55,19 +53,16 @@ struct BranchLimits {
   unsigned long most_cells = 200000;
 };
 
-/// Crossing points on a border curve of the domain that are known from elsewhere (exactly): of the axis and side. Must
-/// be all; nullopt where they are not known.
-using BorderPoints = std::function<std::optional<std::vector<CrossingPoint>>(std::size_t axis, int side)>;
-
 /// The real intersection of two tensor-product patches on [0, 1]^2, in hardware doubles with a bound on every rounding.
-/// Weights must be positive.
+/// Weights must be positive. `border` are all its points on the borders of the domain at which an arc ends; they become
+/// the first points of the graph.
 ///
 /// The parameters of both are cut in two until a pair of parts is proven to have no point in common, or only arcs that
 /// are monotone in one direction of space (SurfaceCell), and at most one of these. Wherever a part is cut, the points
 /// on the cut are all points of a curve on a patch (bernstein_subdivision): a monotone arc has exactly two on the sides
 /// of its cell. A cut is moved where it would pass near points that are known already, or touch the intersection.
 /// Source: subdivision by transversality [SederbergMeyers1988].
-BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, const BorderPoints& border_points,
+BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
                                const BranchLimits& limits, const Context& context);
 
 }  // namespace eliminant::bridge

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/branch_tracing.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include <eliminant/bridge/patch_jets.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector4d;
+
+Vector4d vector_of(const std::array<double, 4>& values) { return {values[0], values[1], values[2], values[3]}; }
+
+/// The difference of both patches at parameters x.
+struct Difference {
+  Vector4d x;
+  Array4d value;
+  double error = 0;
+  /// Rows are coordinates, the last one is free; columns are u, v, s, t.
+  Matrix4d jacobian = Matrix4d::Zero();
+  PatchJets::Value first;
+  PatchJets::Value second;
+};
+
+class ArcTracing {
+ public:
+  ArcTracing(PatchJets& first, PatchJets& second, const CellBox& box, double tolerance)
+      : first_(first), second_(second), tolerance_(tolerance) {
+    for (long k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      constexpr double margin = 0.125;
+      const double width = box.upper[i] - box.lower[i];
+      lower_[k] = box.lower[i] - margin * width;
+      upper_[k] = box.upper[i] + margin * width;
+    }
+  }
+
+  TracedArc run(const Vector4d& from, const Vector4d& to, const Context& context) {
+    TracedArc arc;
+    if (!bound_derivatives()) return arc;
+    Difference here = newton(from);
+    const Vector4d goal = newton(to).x;
+    add(arc, here);
+    Vector4d tangent = tangent_at(here, goal - here.x);
+    Vector4d curvature = curvature_at(here, tangent);
+    double step = std::min(0.25 * (goal - here.x).norm(), 1e-2);
+    constexpr std::size_t most_points = 2000000;
+    while (arc.points.size() < most_points) {
+      if (arc.points.size() % 1024 == 0) context.checkpoint("tracing");
+      const Vector4d rest = goal - here.x;
+      const double left = rest.dot(tangent);
+      const bool last = rest.norm() <= 1.5 * step && left > 0;
+      const Difference next = last ? newton(goal) : newton(here.x + step * tangent + 0.5 * step * step * curvature);
+      const Vector4d d = next.x - here.x;
+      const double deviation = deviation_of(here, next, d);
+      if (!(deviation < tolerance_)) {
+        // The deviation is quadratic in the step.
+        const double factor = std::isfinite(deviation) ? 0.8 * std::sqrt(tolerance_ / deviation) : 0.25;
+        step = std::min(step, d.norm()) * std::clamp(factor, 0.05, 0.7);
+        if (!(step > 1e-13)) return arc;
+        continue;
+      }
+      arc.error = std::max(arc.error, deviation);
+      add(arc, next);
+      if (last) {
+        arc.proven = true;
+        return arc;
+      }
+      tangent = tangent_at(next, d);
+      curvature = curvature_at(next, tangent);
+      here = next;
+      step *= std::clamp(0.9 * std::sqrt(tolerance_ / deviation), 0.5, 2.0);
+    }
+    return arc;
+  }
+
+ private:
+  bool bound_derivatives() {
+    const auto a = first_.bounds_on(lower_[0], upper_[0], lower_[1], upper_[1]);
+    const auto b = second_.bounds_on(lower_[2], upper_[2], lower_[3], upper_[3]);
+    if (!a || !b) return false;
+    a_ = *a;
+    b_ = *b;
+    return true;
+  }
+
+  Difference difference_at(const Vector4d& x) {
+    Difference result;
+    result.first = first_.at(x[0], x[1]);
+    result.second = second_.at(x[2], x[3]);
+    const PatchJets::Value& a = result.first;
+    const PatchJets::Value& b = result.second;
+    result.x = x;
+    result.value = a.point - b.point;
+    result.error = a.error + b.error + 4 * unit_roundoff * a.point.abs().head<3>().maxCoeff();
+    for (long i = 0; i < 3; ++i) {
+      result.jacobian(i, 0) = a.first[0][i];
+      result.jacobian(i, 1) = a.first[1][i];
+      result.jacobian(i, 2) = -b.first[0][i];
+      result.jacobian(i, 3) = -b.first[1][i];
+    }
+    return result;
+  }
+
+  /// To the nearest point of the curve.
+  Difference newton(Vector4d x) {
+    Difference here = difference_at(x);
+    constexpr int most_steps = 8;
+    for (int round = 0; round < most_steps; ++round) {
+      const Eigen::Vector3d value(here.value[0], here.value[1], here.value[2]);
+      if (!(value.lpNorm<Eigen::Infinity>() > 0.5 * here.error)) break;
+      const Eigen::Matrix<double, 3, 4> j = here.jacobian.topRows<3>();
+      const Eigen::Matrix3d gram = j * j.transpose();
+      const Vector4d change = j.transpose() * (gram.inverse() * value);
+      x -= change;
+      here = difference_at(x);
+      if (!(change.lpNorm<Eigen::Infinity>() > 1e-9)) break;
+    }
+    return here;
+  }
+
+  /// The unit vector in the kernel of the Jacobian matrix, on the side of `along`.
+  static Vector4d tangent_at(const Difference& here, const Vector4d& along) {
+    const Matrix4d& j = here.jacobian;
+    Vector4d kernel;
+    for (int k = 0; k < 4; ++k) {
+      Eigen::Matrix3d minor;
+      for (int c = 0, at = 0; c < 4; ++c)
+        if (c != k) minor.col(at++) = j.col(c).head<3>();
+      kernel[k] = (k % 2 == 0 ? 1 : -1) * minor.determinant();
+    }
+    kernel.normalize();
+    return kernel.dot(along) < 0 ? Vector4d(-kernel) : kernel;
+  }
+
+  /// The second derivative of the parameters by the length of the arc among them, orthogonal to the tangent.
+  static Vector4d curvature_at(const Difference& here, const Vector4d& tangent) {
+    const Array4d bend =
+        along(here.first.second, tangent[0], tangent[1]) - along(here.second.second, tangent[2], tangent[3]);
+    const Eigen::Matrix<double, 3, 4> j = here.jacobian.topRows<3>();
+    const Eigen::Matrix3d gram = j * j.transpose();
+    const Vector4d result = -(j.transpose() * (gram.inverse() * vector_of(bend)));
+    return result.allFinite() ? result : Vector4d(Vector4d::Zero());
+  }
+
+  /// A bound of the distance in space between the arc from `here` to `here` + d and its chord; infinity when it is not
+  /// proven that there is exactly one arc near the chord.
+  double deviation_of(const Difference& here, const Difference& next, const Vector4d& d) const {
+    const double length = d.lpNorm<Eigen::Infinity>();
+    if (!(length > 0)) return infinity;
+    Matrix4d system = here.jacobian;
+    const double scale = system.topRows<3>().cwiseAbs().maxCoeff();
+    system.row(3) = d.transpose() * (scale / d.norm());
+    const Matrix4d inverse = system.inverse();
+    if (!inverse.allFinite()) return infinity;
+    const Matrix4d magnitude = inverse.cwiseAbs();
+    // Of products with the inverse, relative to the whole.
+    const double rounding = 64 * unit_roundoff * magnitude.rowwise().sum().maxCoeff() * 4 * scale + 1e-12;
+
+    // The second derivatives along the chord, and by how much they change on it.
+    const Array4d bend_a = along(here.first.second, d[0], d[1]);
+    const Array4d bend_b = along(here.second.second, d[2], d[3]);
+    const Array4d change_a = third_along(a_, d[0], d[1]);
+    const Array4d change_b = third_along(b_, d[2], d[3]);
+    // Of the points that are taken for ends of the arc.
+    const double ends = std::max(end_error(here), end_error(next));
+    Vector4d bend = Vector4d::Zero();
+    Vector4d rest = Vector4d::Zero();
+    for (long i = 0; i < 3; ++i) {
+      bend[i] = bend_a[i] - bend_b[i];
+      rest[i] = 0.125 * (change_a[i] + change_b[i]) + ends;
+    }
+    const Vector4d offset = inverse * bend;
+    const double offset_error = (magnitude * rest).lpNorm<Eigen::Infinity>();
+    const double largest_offset = 0.125 * offset.lpNorm<Eigen::Infinity>() * (1 + rounding) + offset_error;
+    const double radius = 2.5 * largest_offset;
+    const double reach = length + radius;
+    for (long k = 0; k < 4; ++k)
+      if (std::min(here.x[k], here.x[k] + d[k]) - radius < lower_[k] ||
+          std::max(here.x[k], here.x[k] + d[k]) + radius > upper_[k])
+        return infinity;
+    // How much the Jacobian matrix changes from `here` to where the solutions are.
+    Matrix4d change = Matrix4d::Zero();
+    for (long i = 0; i < 3; ++i) {
+      change(i, 0) = (a_.second[0][i] + a_.second[1][i]) * reach;
+      change(i, 1) = (a_.second[1][i] + a_.second[2][i]) * reach;
+      change(i, 2) = (b_.second[0][i] + b_.second[1][i]) * reach;
+      change(i, 3) = (b_.second[1][i] + b_.second[2][i]) * reach;
+    }
+    const double contraction = (magnitude * change).rowwise().sum().maxCoeff() + rounding;
+    constexpr double at_most = 0.55;
+    if (!(contraction < at_most)) return infinity;
+    const double distance = largest_offset / (1 - contraction);
+
+    // In space: the bend of the arc, of which only the part across the chord counts, and what is left.
+    const Eigen::Vector3d chord = vector_of(here.first.first[0]) * d[0] + vector_of(here.first.first[1]) * d[1];
+    Eigen::Vector3d sag =
+        vector_of(here.first.first[0]) * offset[0] + vector_of(here.first.first[1]) * offset[1] - vector_of(bend_a);
+    const double chord_square = chord.squaredNorm();
+    if (chord_square > 0) {
+      // The foot on the chord must not move beyond its ends.
+      const double shift = sag.dot(chord) / chord_square;
+      if (std::fabs(shift) < 1) sag -= chord * shift;
+    }
+    double remainder = 0;
+    for (long i = 0; i < 3; ++i) {
+      const double slopes = std::fabs(here.first.first[0][i]) + std::fabs(here.first.first[1][i]);
+      remainder = std::max(remainder, slopes * (offset_error + contraction * distance) +
+                                          (change(i, 0) + change(i, 1)) * distance + 0.125 * change_a[i] + ends);
+    }
+    return 0.125 * (sag.norm() + rounding * bend.norm()) + 1.74 * remainder;
+  }
+
+  static Eigen::Vector3d vector_of(const Array4d& a) { return {a[0], a[1], a[2]}; }
+
+  /// Between the values of both patches at a point that is taken for one of the curve.
+  static double end_error(const Difference& at) { return at.value.abs().head<3>().maxCoeff() + at.error; }
+
+  /// The change of the second derivative in the direction (p, q) from one end to the other, bounded.
+  static Array4d third_along(const DerivativeBounds& bounds, double p, double q) {
+    p = std::fabs(p);
+    q = std::fabs(q);
+    return bounds.third[0] * (p * p * p) + bounds.third[1] * (3 * p * p * q) + bounds.third[2] * (3 * p * q * q) +
+           bounds.third[3] * (q * q * q);
+  }
+
+  void add(TracedArc& arc, const Difference& at) const {
+    TracedPoint point;
+    for (std::size_t k = 0; k < 4; ++k) point.parameters[k] = std::clamp(at.x[static_cast<long>(k)], 0.0, 1.0);
+    for (std::size_t k = 0; k < 3; ++k) point.point[k] = at.first.point[static_cast<long>(k)];
+    arc.points.push_back(point);
+  }
+
+  PatchJets& first_;
+  PatchJets& second_;
+  double tolerance_;
+  Vector4d lower_;
+  Vector4d upper_;
+  DerivativeBounds a_;
+  DerivativeBounds b_;
+};
+
+}  // namespace
+
+BranchTracer::BranchTracer(const ControlNet& first, const ControlNet& second) : first_(first), second_(second) {}
+
+TracedArc BranchTracer::trace(const CrossingPoint& from, const CrossingPoint& to, const CellBox& box, double tolerance,
+                              const Context& context) {
+  PatchJets first(first_);
+  PatchJets second(second_);
+  ArcTracing tracing(first, second, box, tolerance);
+  return tracing.run(vector_of(from.parameters), vector_of(to.parameters), context);
+}
+
+}  // namespace eliminant::bridge

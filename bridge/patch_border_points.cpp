@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/patch_border_points.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include <eliminant/bridge/bernstein_subdivision.hpp>
+#include <eliminant/bridge/exact_contact.hpp>
+#include <eliminant/bridge/patch_jets.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+using symbolic::Rational;
+
+/// A plane a x + b y + c z + d w = 0.
+using Plane = std::array<Rational, 4>;
+
+Rational value_of(const Plane& plane, const ExactPoint& point) {
+  Rational sum;
+  for (std::size_t k = 0; k < 4; ++k) sum = sum + plane[k] * point[k];
+  return sum;
+}
+
+/// The plane through all points, where there is exactly one.
+std::optional<Plane> plane_through(std::vector<ExactPoint> rows) {
+  std::vector<std::size_t> pivots;
+  std::size_t rank = 0;
+  for (std::size_t column = 0; column < 4; ++column) {
+    const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rank), rows.end(),
+                                    [&](const ExactPoint& row) { return !row[column].is_zero(); });
+    if (pivot == rows.end()) continue;
+    std::swap(*pivot, rows[rank]);
+    const Rational leading = rows[rank][column];
+    for (Rational& entry : rows[rank]) entry = entry / leading;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i == rank || rows[i][column].is_zero()) continue;
+      const Rational factor = rows[i][column];
+      for (std::size_t k = 0; k < 4; ++k) rows[i][k] = rows[i][k] - factor * rows[rank][k];
+    }
+    pivots.push_back(column);
+    ++rank;
+  }
+  if (rank != 3) return std::nullopt;
+  std::size_t free = 0;
+  while (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) ++free;
+  Plane plane;
+  plane[free] = Rational(1);
+  for (std::size_t i = 0; i < 3; ++i) plane[pivots[i]] = Rational(0) - rows[i][free];
+  return plane;
+}
+
+/// Of a patch, where the parameter of the axis is 0 or 1.
+ExactNet border_of(const ExactNet& net, std::size_t axis, int side) {
+  const std::size_t row = net.degrees[1] + 1;
+  const std::size_t kept = side < 0 ? 0 : net.degrees[axis];
+  ExactNet curve{{net.degrees[1 - axis]}, {}};
+  for (std::size_t i = 0; i <= net.degrees[1 - axis]; ++i)
+    curve.points.push_back(net.points[axis == 0 ? kept * row + i : i * row + kept]);
+  return curve;
+}
+
+ControlNet border_of(const ControlNet& net, std::size_t axis, int side) {
+  const std::size_t row = net.degrees[1] + 1;
+  const std::size_t kept = side < 0 ? 0 : net.degrees[axis];
+  ControlNet curve;
+  curve.degrees = {net.degrees[1 - axis]};
+  curve.error = net.error;
+  curve.polynomial = net.polynomial;
+  for (std::size_t i = 0; i <= net.degrees[1 - axis]; ++i)
+    curve.points.push_back(net.points[axis == 0 ? kept * row + i : i * row + kept]);
+  return curve;
+}
+
+/// A border curve of one patch against the other patch.
+struct BorderProblem {
+  std::size_t axis;
+  int side;
+  /// Places of the parameters of the curve and of the other patch among u, v, s, t.
+  std::array<std::size_t, 3> place;
+};
+
+class BorderSearch {
+ public:
+  BorderSearch(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
+               const ExactNet& exact_second, const Context& context)
+      : nets_{&first, &second},
+        exact_{&exact_first, &exact_second},
+        jets_{PatchJets(first), PatchJets(second)},
+        context_(context) {}
+
+  BorderPoints run() && {
+    for (std::size_t axis = 0; axis < 4; ++axis)
+      for (const int side : {-1, 1}) look_at(axis, side);
+    return std::move(result_);
+  }
+
+ private:
+  void look_at(std::size_t axis, int side) {
+    const std::size_t own = axis / 2;
+    const ControlNet curve = border_of(*nets_[own], axis % 2, side);
+    const ControlNet& patch = *nets_[1 - own];
+    std::optional<ExactNet> exact_curve;
+    const ContactProver::Exact of_curve = [&]() -> const ExactNet& {
+      if (!exact_curve) exact_curve = border_of(*exact_[own], axis % 2, side);
+      return *exact_curve;
+    };
+    const ContactProver::Exact of_patch = [&]() -> const ExactNet& { return *exact_[1 - own]; };
+    ContactProver prover(curve, patch, of_curve, of_patch);
+    const SubdivisionResult found = bernstein_subdivision(
+        curve, patch, [&](const std::array<double, 3>& near, double reach) { return prover.find(near, reach); },
+        SubdivisionLimits(), context_);
+    if (!found.complete || !found.open.empty()) {
+      result_.open.push_back({axis, side, "the border curve touches the other surface, or lies in it"});
+      return;
+    }
+    const BorderProblem problem{axis, side, {2 * own + 1 - axis % 2, 2 - 2 * own, 3 - 2 * own}};
+    for (const IsolatedZero& zero : found.zeros) add_crossing(problem, zero, prover, of_curve);
+    for (const RationalZero& contact : prover.contacts()) add_contact(problem, contact);
+  }
+
+  static CrossingPoint placed(const BorderProblem& problem, const IsolatedZero& zero) {
+    CrossingPoint point;
+    point.parameters[problem.axis] = problem.side < 0 ? 0 : 1;
+    point.side[problem.axis] = problem.side;
+    for (std::size_t k = 0; k < 3; ++k) point.parameters[problem.place[k]] = zero.parameters[k];
+    point.radius = zero.radius;
+    return point;
+  }
+
+  void add_crossing(const BorderProblem& problem, const IsolatedZero& zero, const ContactProver& prover,
+                    const ContactProver::Exact& curve) {
+    BorderPoint point;
+    static_cast<CrossingPoint&>(point) = placed(problem, zero);
+    std::optional<std::array<Rational, 3>> exact;
+    bool asked = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = zero.parameters[k];
+      if (value - zero.radius > 0 && value + zero.radius < 1) continue;
+      if (!asked) exact = prover.exact_zero(zero);
+      asked = true;
+      const int end = value < 0.5 ? -1 : 1;
+      if (exact) {
+        const Rational& parameter = (*exact)[k];
+        if (parameter.sign() < 0 || Rational(1) < parameter) return;
+        if (parameter.is_zero() || (parameter - Rational(1)).is_zero()) set_side(point, problem.place[k], end);
+      } else if (k > 0 && is_on_border_of_patch(problem, point, problem.place[k], end, curve())) {
+        set_side(point, problem.place[k], end);
+      } else {
+        leave_open(problem, "it is undecided whether a point of it lies within the other patch");
+        return;
+      }
+    }
+    const std::optional<unsigned> arcs = arcs_inside(point);
+    if (!arcs) {
+      leave_open(problem, "the intersection is nearly tangent to a border");
+      return;
+    }
+    point.arcs = *arcs;
+    add(point);
+  }
+
+  static void set_side(CrossingPoint& point, std::size_t place, int end) {
+    point.side[place] = end;
+    point.parameters[place] = end < 0 ? 0 : 1;
+  }
+
+  void leave_open(const BorderProblem& problem, const char* reason) {
+    result_.open.push_back({problem.axis, problem.side, reason});
+  }
+
+  /// Both border curves lie in one plane, which the other patch leaves at the point away from its border: the point,
+  /// being in the plane, is on the border.
+  bool is_on_border_of_patch(const BorderProblem& problem, const CrossingPoint& point, std::size_t axis, int end,
+                             const ExactNet& curve) {
+    const std::size_t other = axis / 2;
+    std::vector<ExactPoint> points = curve.points;
+    const ExactNet border = border_of(*exact_[other], axis % 2, end);
+    points.insert(points.end(), border.points.begin(), border.points.end());
+    const std::optional<Plane> plane = plane_through(points);
+    if (!plane || other == problem.axis / 2) return false;
+    // The derivative of the plane's form across the border, for all parameters within the radius.
+    ExactNet heights = *exact_[other];
+    for (ExactPoint& p : heights.points) p = {value_of(*plane, p), Rational(), Rational(), Rational(1)};
+    const auto net = ControlNet::round(heights.degrees, heights.points, {});
+    if (!net) return false;
+    PatchJets jets(*net);
+    const double a = point.parameters[2 * other];
+    const double b = point.parameters[2 * other + 1];
+    const double reach = 4 * point.radius + 0x1p-40;
+    const auto bounds = jets.bounds_on(a - reach, a + reach, b - reach, b + reach);
+    const PatchJets::Value here = jets.at(a, b);
+    const double slope = std::fabs(here.first[axis % 2][0]);
+    const double change = (bounds->second[0] + 2 * bounds->second[1] + bounds->second[2])[0] * 2 * reach;
+    return slope > 2 * change + 1e-9 * bounds->first[axis % 2][0];
+  }
+
+  void add_contact(const BorderProblem& problem, const RationalZero& contact) {
+    for (const Rational& parameter : contact.parameters)
+      if (parameter.sign() < 0 || Rational(1) < parameter) return;
+    BorderPoint point;
+    static_cast<CrossingPoint&>(point) = placed(problem, rounded_parameters(contact.parameters));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (contact.parameters[k].is_zero()) point.side[problem.place[k]] = -1;
+      if ((contact.parameters[k] - Rational(1)).is_zero()) point.side[problem.place[k]] = 1;
+    }
+    const long sides = std::count_if(point.side.begin(), point.side.end(), [](int s) { return s != 0; });
+    point.touching = true;
+    // Even contact stays on one side of the border.
+    if (sides > 1 || contact.multiplicity > 2) {
+      leave_open(problem, "the intersection touches the border in a corner or of high order");
+      return;
+    }
+    const std::optional<double> bend = bend_across(point, problem.axis);
+    if (!bend) {
+      leave_open(problem, "the surfaces are tangent at the border");
+      return;
+    }
+    point.arcs = *bend * problem.side < 0 ? 2 : 0;
+    add(point);
+  }
+
+  struct Jet {
+    Eigen::Matrix<double, 3, 4> jacobian;
+    Eigen::Vector3d bend(const Eigen::Vector4d& d) const {
+      const Array4d value = along(first.second, d[0], d[1]) - along(second.second, d[2], d[3]);
+      return {value[0], value[1], value[2]};
+    }
+    PatchJets::Value first;
+    PatchJets::Value second;
+    /// Bounds the error of every entry of the matrix.
+    double error = 0;
+    Eigen::Vector4d tangent;
+    double tangent_error = 0;
+  };
+
+  /// At a point; its tangent is the vector of minors.
+  Jet jet_at_point(const CrossingPoint& point) {
+    Jet jet;
+    jet.first = jets_[0].at(point.parameters[0], point.parameters[1]);
+    jet.second = jets_[1].at(point.parameters[2], point.parameters[3]);
+    double curvature = 0;
+    for (long i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        jet.jacobian(i, static_cast<long>(k)) = jet.first.first[k][i];
+        jet.jacobian(i, static_cast<long>(2 + k)) = -jet.second.first[k][i];
+      }
+      for (const Array4d& second : jet.first.second) curvature = std::max(curvature, std::fabs(second[i]));
+      for (const Array4d& second : jet.second.second) curvature = std::max(curvature, std::fabs(second[i]));
+    }
+    const double scale = jet.jacobian.cwiseAbs().maxCoeff();
+    constexpr double much = 16;
+    jet.error = much * curvature * point.radius + 1e-12 * (scale + curvature);
+    for (int k = 0; k < 4; ++k) {
+      Eigen::Matrix3d minor;
+      for (int c = 0, at = 0; c < 4; ++c)
+        if (c != k) minor.col(at++) = jet.jacobian.col(c);
+      jet.tangent[k] = (k % 2 == 0 ? 1 : -1) * minor.determinant();
+    }
+    jet.tangent_error = 20 * scale * scale * jet.error;
+    return jet;
+  }
+
+  /// How many arcs leave the point into both domains; nullopt where a direction is undecided.
+  std::optional<unsigned> arcs_inside(const CrossingPoint& point) {
+    const Jet jet = jet_at_point(point);
+    bool forward = true;
+    bool backward = true;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (point.side[k] == 0) continue;
+      const double component = jet.tangent[static_cast<long>(k)];
+      if (!(std::fabs(component) > jet.tangent_error)) return std::nullopt;
+      const bool inward = component * point.side[k] < 0;
+      forward = forward && inward;
+      backward = backward && !inward;
+    }
+    return (forward ? 1U : 0U) + (backward ? 1U : 0U);
+  }
+
+  /// The second derivative of the parameter along the intersection, where that touches the border of the axis.
+  std::optional<double> bend_across(const CrossingPoint& point, std::size_t axis) {
+    const Jet jet = jet_at_point(point);
+    if (!(jet.tangent.cwiseAbs().maxCoeff() > 1e3 * jet.tangent_error)) return std::nullopt;
+    const Eigen::Vector4d direction = jet.tangent.normalized();
+    const Eigen::Matrix3d gram = jet.jacobian * jet.jacobian.transpose();
+    const Eigen::Vector4d bend = -(jet.jacobian.transpose() * (gram.inverse() * jet.bend(direction)));
+    const double result = bend[static_cast<long>(axis)];
+    if (!(std::fabs(result) > 1e-7 * bend.cwiseAbs().maxCoeff())) return std::nullopt;
+    return result;
+  }
+
+  /// A point on several borders is found on each of them.
+  void add(const BorderPoint& point) {
+    const auto same = [&](const BorderPoint& other) {
+      if (other.side != point.side) return false;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (std::fabs(other.parameters[k] - point.parameters[k]) > 2 * (other.radius + point.radius) + 0x1p-40)
+          return false;
+      return true;
+    };
+    const auto known = std::find_if(result_.points.begin(), result_.points.end(), same);
+    if (known == result_.points.end())
+      result_.points.push_back(point);
+    else
+      known->touching = known->touching || point.touching;
+  }
+
+  std::array<const ControlNet*, 2> nets_;
+  std::array<const ExactNet*, 2> exact_;
+  std::array<PatchJets, 2> jets_;
+  const Context& context_;
+  BorderPoints result_;
+};
+
+}  // namespace
+
+BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
+                                 const ExactNet& exact_second, const Context& context) {
+  return BorderSearch(first, second, exact_first, exact_second, context).run();
+}
+
+}  // namespace eliminant::bridge

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/bridge/branch_subdivision.hpp>
+#include <eliminant/bridge/control_net.hpp>
+
+namespace eliminant::bridge {
+
+/// A point of the intersection on the border of a domain.
+struct BorderPoint : CrossingPoint {
+  /// Arcs inside both domains that end there: 0 for a point of its own (the patches touch in a corner or from outside),
+  /// 1, or 2 for an arc that touches the border from inside.
+  unsigned arcs = 1;
+  /// The intersection is tangent to the border.
+  bool touching = false;
+};
+
+/// A border curve of which not everything could be decided in doubles.
+struct OpenBorder {
+  /// The parameter that is kept (u, v, s, t), and -1 or 1 for its lower or upper bound.
+  std::size_t axis = 0;
+  int side = -1;
+  std::string reason;
+};
+
+struct BorderPoints {
+  /// Those on several borders at once are listed once.
+  std::vector<BorderPoint> points;
+  std::vector<OpenBorder> open;
+};
+
+/// All points of two tensor-product patches on [0, 1]^2 that lie on the border of one of them: each of the eight border
+/// curves against the other patch. Which of them lie on a border of the other patch, too, is decided exactly: by
+/// rational parameters, or where two border curves lie in one plane that the patch crosses.
+BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
+                                 const ExactNet& exact_second, const Context& context);
+
+}  // namespace eliminant::bridge

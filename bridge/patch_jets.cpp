@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/patch_jets.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace eliminant::bridge {
+
+namespace {
+
+/// Value, first and second derivative of a Bezier curve, whose points are overwritten.
+std::array<Array4d, 3> jet_of_line(Array4d* b, std::size_t degree, double t) {
+  const double n = static_cast<double>(degree);
+  for (std::size_t level = degree; level > 2; --level)
+    for (std::size_t i = 0; i < level; ++i) b[i] += t * (b[i + 1] - b[i]);
+  if (degree == 1) return {Array4d(b[0] + t * (b[1] - b[0])), Array4d(b[1] - b[0]), Array4d(Array4d::Zero())};
+  const Array4d first = b[1] - b[0];
+  const Array4d second = b[2] - b[1];
+  const Array4d bend = second - first;
+  const Array4d slope = first + t * bend;
+  return {Array4d(b[0] + t * first + t * slope), Array4d(n * slope), Array4d(n * (n - 1) * bend)};
+}
+
+/// The derivatives of the quotient by Leibniz' rule, all terms in absolute values.
+void divide_bounds_by_weight(DerivativeBounds& bounds, const Array4d& size, double least) {
+  const Array4d value = size / least;
+  const std::array<double, 2> w{bounds.first[0][3], bounds.first[1][3]};
+  const std::array<double, 3> ww{bounds.second[0][3], bounds.second[1][3], bounds.second[2][3]};
+  for (std::size_t k = 0; k < 2; ++k) bounds.first[k] = (bounds.first[k] + value * w[k]) / least;
+  const auto& d = bounds.first;
+  bounds.second[0] = (bounds.second[0] + 2 * d[0] * w[0] + value * ww[0]) / least;
+  bounds.second[1] = (bounds.second[1] + d[0] * w[1] + d[1] * w[0] + value * ww[1]) / least;
+  bounds.second[2] = (bounds.second[2] + 2 * d[1] * w[1] + value * ww[2]) / least;
+  const auto& dd = bounds.second;
+  auto& ddd = bounds.third;
+  ddd[0] = (ddd[0] + 3 * dd[0] * w[0] + 3 * d[0] * ww[0] + value * ddd[0][3]) / least;
+  ddd[1] = (ddd[1] + dd[0] * w[1] + 2 * dd[1] * w[0] + d[1] * ww[0] + 2 * d[0] * ww[1] + value * ddd[1][3]) / least;
+  ddd[2] = (ddd[2] + dd[2] * w[0] + 2 * dd[1] * w[1] + d[0] * ww[2] + 2 * d[1] * ww[1] + value * ddd[2][3]) / least;
+  ddd[3] = (ddd[3] + 3 * dd[2] * w[1] + 3 * d[1] * ww[2] + value * ddd[3][3]) / least;
+}
+
+}  // namespace
+
+PatchJets::PatchJets(const ControlNet& net) : net_(net), scratch_(net.points.size()) {
+  std::copy(net.degrees.begin(), net.degrees.end(), shape_.degree.begin());
+  Array4d size = Array4d::Zero();
+  for (const Array4d& point : net.points) size = size.max(point.abs());
+  const double degrees = static_cast<double>(shape_.degree[0] + shape_.degree[1]);
+  // Within a fiftieth of the domain.
+  error_ = std::exp(0.04 * degrees) * (net.error + 4 * degrees * unit_roundoff * size);
+}
+
+PatchJets::Value PatchJets::at(double a, double b) {
+  std::copy(net_.points.begin(), net_.points.end(), scratch_.begin());
+  const std::size_t row = shape_.degree[1] + 1;
+  rows_.resize(3 * (shape_.degree[0] + 1));
+  for (std::size_t i = 0; i <= shape_.degree[0]; ++i) {
+    const std::array<Array4d, 3> jet = jet_of_line(scratch_.data() + i * row, shape_.degree[1], b);
+    for (std::size_t k = 0; k < 3; ++k) rows_[k * (shape_.degree[0] + 1) + i] = jet[k];
+  }
+  const auto line = [&](std::size_t k) {
+    return jet_of_line(rows_.data() + k * (shape_.degree[0] + 1), shape_.degree[0], a);
+  };
+  const std::array<Array4d, 3> plain = line(0);
+  const std::array<Array4d, 3> slope = line(1);
+  Value value;
+  value.point = plain[0];
+  value.first = {plain[1], slope[0]};
+  value.second = {plain[2], slope[1], line(2)[0]};
+  Array4d error = error_;
+  if (!net_.polynomial) error = divide_by_weight(value);
+  value.error = error.head<3>().maxCoeff();
+  return value;
+}
+
+std::optional<DerivativeBounds> PatchJets::bounds_on(double a0, double a1, double b0, double b1) const {
+  std::vector<Array4d> points = net_.points;
+  restrict_to(shape_, 0, a0, a1, points.data());
+  restrict_to(shape_, 1, b0, b1, points.data());
+  double least = infinity;
+  for (const Array4d& point : points) least = std::min(least, point[3]);
+  // A thousandth is more than all roundings.
+  least *= 0.999;
+  if (!net_.polynomial && !(least > 0)) return std::nullopt;
+  Array4d shift = Array4d::Zero();
+  if (!net_.polynomial) shift = points[points.size() / 2] / points[points.size() / 2][3];
+  shift[3] = 0;
+  for (Array4d& point : points) point -= net_.polynomial ? shift : Array4d(shift * point[3]);
+  const auto largest = [&](std::size_t p, std::size_t q) { return largest_derivative(points, p, q, a1 - a0, b1 - b0); };
+  DerivativeBounds bounds;
+  for (std::size_t k = 0; k < 2; ++k) bounds.first[k] = largest(1 - k, k);
+  for (std::size_t k = 0; k < 3; ++k) bounds.second[k] = largest(2 - k, k);
+  for (std::size_t k = 0; k < 4; ++k) bounds.third[k] = largest(3 - k, k);
+  if (!net_.polynomial) divide_bounds_by_weight(bounds, largest(0, 0), least);
+  return bounds;
+}
+
+Array4d PatchJets::divide_by_weight(Value& value) const {
+  const double inverse = 1 / value.point[3];
+  value.point *= inverse;
+  const std::array<double, 2> w{value.first[0][3], value.first[1][3]};
+  for (std::size_t k = 0; k < 2; ++k) value.first[k] = (value.first[k] - value.point * w[k]) * inverse;
+  const auto& d = value.first;
+  const std::array<double, 3> ww{value.second[0][3], value.second[1][3], value.second[2][3]};
+  value.second[0] = (value.second[0] - 2 * d[0] * w[0] - value.point * ww[0]) * inverse;
+  value.second[1] = (value.second[1] - d[0] * w[1] - d[1] * w[0] - value.point * ww[1]) * inverse;
+  value.second[2] = (value.second[2] - 2 * d[1] * w[1] - value.point * ww[2]) * inverse;
+  return (error_ + value.point.abs() * error_[3]) * std::fabs(inverse) * 1.001 + 4 * unit_roundoff * value.point.abs();
+}
+
+/// Of order (p, q), from the differences of control points.
+Array4d PatchJets::largest_derivative(std::vector<Array4d> points, std::size_t p, std::size_t q, double width_a,
+                                      double width_b) const {
+  const std::size_t m = shape_.degree[0];
+  const std::size_t n = shape_.degree[1];
+  if (p > m || q > n) return Array4d::Constant(0x1p-60);
+  double factor = 1;
+  for (std::size_t k = 0; k < p; ++k) {
+    factor *= static_cast<double>(m - k) / width_a;
+    for (std::size_t i = 0; i + k < m; ++i)
+      for (std::size_t j = 0; j <= n; ++j)
+        points[i * (n + 1) + j] = points[(i + 1) * (n + 1) + j] - points[i * (n + 1) + j];
+  }
+  for (std::size_t k = 0; k < q; ++k) {
+    factor *= static_cast<double>(n - k) / width_b;
+    for (std::size_t i = 0; i + p <= m; ++i)
+      for (std::size_t j = 0; j + k < n; ++j)
+        points[i * (n + 1) + j] = points[i * (n + 1) + j + 1] - points[i * (n + 1) + j];
+  }
+  Array4d largest = Array4d::Zero();
+  Array4d size = Array4d::Zero();
+  for (const Array4d& point : net_.points) size = size.max(point.abs());
+  for (std::size_t i = 0; i + p <= m; ++i)
+    for (std::size_t j = 0; j + q <= n; ++j) largest = largest.max(points[i * (n + 1) + j].abs());
+  // What the restriction has rounded, and that of the differences.
+  constexpr double slack = 1.001;
+  const double roundings = 64 * static_cast<double>(m + n) * unit_roundoff * static_cast<double>(1U << (p + q));
+  return slack * factor * (largest + roundings * size + net_.error * static_cast<double>(1U << (p + q)));
+}
+
+}  // namespace eliminant::bridge
