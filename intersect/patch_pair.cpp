@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/patch_pair.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/branch_subdivision.hpp>
+#include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/patch_border_points.hpp>
+#include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/intersect/branch_components.hpp>
+#include <eliminant/intersect/prepared_net.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using bridge::BranchGraph;
+using bridge::ControlNet;
+using Eigen::Array4d;
+using symbolic::Rational;
+
+double nearest(const Rational& value) {
+  bridge::RealBall ball;
+  arb_set_fmpq(ball.get(), value.get(), 64);
+  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
+}
+
+PreparedNet prepared(const symbolic::SurfacePiece& piece, const char* which) {
+  if (auto net = prepared_net(piece)) return *std::move(net);
+  throw InvalidInput(std::string("the ") + which +
+                     " surface is no patch: a tensor-product map that depends on both parameters, on a domain of "
+                     "positive area, was expected");
+}
+
+/// Weights of one sign are made positive.
+void make_weights_positive(PreparedNet& net) {
+  const bool negative =
+      std::all_of(net.exact.points.begin(), net.exact.points.end(), [](const auto& p) { return p[3].sign() < 0; });
+  if (!negative) return;
+  for (bridge::ExactPoint& point : net.exact.points)
+    for (Rational& coordinate : point) coordinate = Rational(0) - coordinate;
+}
+
+bool has_positive_weights(const PreparedNet& net) {
+  return std::all_of(net.exact.points.begin(), net.exact.points.end(), [](const auto& p) { return p[3].sign() > 0; });
+}
+
+/// Largest side of the box around the control points.
+double size_of(const ControlNet& net) {
+  Array4d lower = Array4d::Constant(INFINITY);
+  Array4d upper = Array4d::Constant(-INFINITY);
+  for (const Array4d& point : net.points) {
+    const Array4d affine = point / point[3];
+    lower = lower.min(affine);
+    upper = upper.max(affine);
+  }
+  return (upper - lower).head<3>().maxCoeff();
+}
+
+class PatchPair {
+ public:
+  PatchPair(PreparedNet first, PreparedNet second, const Options& options, const Context& context)
+      : first_(std::move(first)), second_(std::move(second)), options_(options), context_(context) {}
+
+  SurfaceResult run() && {
+    const auto start = std::chrono::steady_clock::now();
+    make_weights_positive(first_);
+    make_weights_positive(second_);
+    result_.engine.method = "subdivision";
+    result_.engine.precision_bits = 53;
+    if (prepare()) solve();
+    result_.seconds.emplace_back("total",
+                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return std::move(result_);
+  }
+
+ private:
+  bool prepare() {
+    if (!has_positive_weights(first_) || !has_positive_weights(second_)) {
+      result_.warnings.push_back("a patch has weights of both signs or zero: it was not intersected");
+      return false;
+    }
+    origin_ = first_.origin();
+    auto first = first_.rounded(origin_);
+    auto second = second_.rounded(origin_);
+    if (!first || !second) {
+      result_.warnings.push_back("coordinates are beyond the range in which hardware doubles are safe");
+      return false;
+    }
+    first_net_ = *std::move(first);
+    second_net_ = *std::move(second);
+    tolerance_ = options_.tolerance * std::min(size_of(first_net_), size_of(second_net_));
+    return true;
+  }
+
+  void solve() {
+    const bridge::BorderPoints border =
+        bridge::patch_border_points(first_net_, second_net_, first_.exact, second_.exact, context_);
+    std::vector<bridge::CrossingPoint> ends;
+    for (const bridge::BorderPoint& point : border.points) {
+      if (point.arcs == 1) ends.push_back(point);
+      if (point.arcs == 0) add_touching_point(point);
+    }
+    bridge::BranchLimits limits;
+    graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), limits, context_);
+    for (const BranchChain& chain : branch_chains(graph_)) add_chain(chain);
+    complete_ = graph_.complete && graph_.open.empty() && border.open.empty();
+    for (const bridge::CellBox& hull : clusters_of(graph_.open)) add_undecided(hull);
+    for (const bridge::OpenBorder& open : border.open)
+      result_.warnings.push_back(border_name(open.axis, open.side) + ": " + open.reason);
+    if (!graph_.complete) result_.warnings.push_back("the subdivision was ended at its limit");
+    finish();
+  }
+
+  void finish() {
+    std::stable_sort(result_.components.begin(), result_.components.end(), [](const auto& a, const auto& b) {
+      if (a.kind != b.kind) return a.kind < b.kind;
+      return a.points.front().parameters < b.points.front().parameters;
+    });
+    bool all = complete_;
+    for (const SurfaceComponent& component : result_.components) {
+      switch (component.kind) {
+        case SurfaceComponentKind::curve:
+          ++result_.counts.curves;
+          break;
+        case SurfaceComponentKind::loop:
+          ++result_.counts.loops;
+          break;
+        case SurfaceComponentKind::point:
+          ++result_.counts.points;
+          break;
+        case SurfaceComponentKind::overlap:
+          ++result_.counts.overlaps;
+          break;
+      }
+      all = all && component.certified;
+    }
+    result_.counts.singular = result_.singular_points.size();
+    result_.status = all ? Status::certified : Status::numeric;
+  }
+
+  static std::string border_name(std::size_t axis, int side) {
+    constexpr std::array names{"u", "v", "s", "t"};
+    return std::string("the border where ") + names[axis] + (side < 0 ? " is smallest" : " is largest");
+  }
+
+  double to_domain(std::size_t k, double local) const {
+    const symbolic::Interval& side = k < 2 ? first_.domain[k] : second_.domain[k - 2];
+    const double lower = nearest(side.lower);
+    const double upper = nearest(side.upper);
+    return local == 1 ? upper : lower + local * (upper - lower);
+  }
+
+  SurfacePoint placed(const std::array<double, 4>& parameters, const std::array<double, 3>& point) const {
+    SurfacePoint result;
+    for (std::size_t k = 0; k < 4; ++k) result.parameters[k] = to_domain(k, parameters[k]);
+    for (std::size_t k = 0; k < 3; ++k) result.point[k] = point[k] + nearest(origin_[k]);
+    return result;
+  }
+
+  SurfacePoint placed(const std::array<double, 4>& parameters) {
+    const bridge::PatchJets::Value value = bridge::PatchJets(first_net_).at(parameters[0], parameters[1]);
+    return placed(parameters, {value.point[0], value.point[1], value.point[2]});
+  }
+
+  void add_touching_point(const bridge::BorderPoint& point) {
+    SurfaceComponent component;
+    component.kind = SurfaceComponentKind::point;
+    component.points.push_back(placed(point.parameters));
+    component.tangential = point.touching;
+    component.error = point.radius;
+    component.certified = true;
+    result_.components.push_back(std::move(component));
+  }
+
+  void add_undecided(const bridge::CellBox& hull) {
+    SurfaceSingularPoint point;
+    std::array<double, 4> middle;
+    for (std::size_t k = 0; k < 4; ++k) {
+      middle[k] = std::clamp(0.5 * (hull.lower[k] + hull.upper[k]), 0.0, 1.0);
+      point.radius = std::max(point.radius, 0.5 * (hull.upper[k] - hull.lower[k]));
+    }
+    point.at = placed(middle);
+    point.reason = "the surfaces touch here or nearly so, which is not proven";
+    result_.singular_points.push_back(std::move(point));
+  }
+
+  void add_chain(const BranchChain& chain) {
+    SurfaceComponent component;
+    component.kind = chain.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
+    component.certified = true;
+    bridge::BranchTracer tracer(first_net_, second_net_);
+    for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
+      const bridge::CellArc& arc = graph_.arcs[chain.arcs[i]];
+      bridge::TracedArc traced =
+          tracer.trace(graph_.points[arc.from], graph_.points[arc.to], arc.box, tolerance_, context_);
+      if (chain.reversed[i]) std::reverse(traced.points.begin(), traced.points.end());
+      component.error = std::max(component.error, traced.error);
+      component.certified = component.certified && traced.proven;
+      for (std::size_t k = component.points.empty() ? 0 : 1; k < traced.points.size(); ++k)
+        component.points.push_back(placed(traced.points[k].parameters, traced.points[k].point));
+    }
+    component.error += rounding_of(component);
+    if (!component.certified) component.reason = "the distance of the polyline from the curve is not proven";
+    if (chain.closed) {
+      component.points.back() = component.points.front();
+    } else {
+      component.start = end_at(chain.start, component);
+      component.end = end_at(chain.end, component);
+    }
+    result_.components.push_back(std::move(component));
+  }
+
+  /// What the sum with the origin and its rounding add.
+  double rounding_of(const SurfaceComponent& component) const {
+    double largest = 0;
+    for (const SurfacePoint& point : component.points)
+      for (const double x : point.point) largest = std::max(largest, std::fabs(x));
+    for (const Rational& x : origin_) largest = std::max(largest, std::fabs(nearest(x)));
+    return 4 * largest * 0x1p-53;
+  }
+
+  BranchEnd end_at(std::size_t index, SurfaceComponent& component) {
+    const bridge::CrossingPoint& point = graph_.points[index];
+    BranchEnd end;
+    end.side = point.side;
+    const auto on_border = std::find_if(point.side.begin(), point.side.end(), [](int side) { return side != 0; });
+    if (on_border == point.side.end()) {
+      end.kind = BranchEndKind::unknown;
+      component.certified = false;
+      component.reason = "an end is next to a point of contact that is not proven";
+      return end;
+    }
+    end.transition = transition_at(point, static_cast<std::size_t>(on_border - point.side.begin()));
+    return end;
+  }
+
+  /// How the border curve crosses the other surface.
+  Transition transition_at(const bridge::CrossingPoint& point, std::size_t axis) const {
+    const bridge::PatchJets::Value a = bridge::PatchJets(first_net_).at(point.parameters[0], point.parameters[1]);
+    const bridge::PatchJets::Value b = bridge::PatchJets(second_net_).at(point.parameters[2], point.parameters[3]);
+    const bridge::PatchJets::Value& own = axis < 2 ? a : b;
+    const bridge::PatchJets::Value& other = axis < 2 ? b : a;
+    const Array4d& along_border = own.first[1 - axis % 2];
+    const Array4d& p = other.first[0];
+    const Array4d& q = other.first[1];
+    const std::array<double, 3> normal{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+    double sum = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum += along_border[static_cast<long>(k)] * normal[k];
+      size += std::fabs(along_border[static_cast<long>(k)] * normal[k]);
+    }
+    constexpr double undecided = 1e-10;
+    if (!(std::fabs(sum) > undecided * size)) return Transition::touching;
+    return sum > 0 ? Transition::out : Transition::in;
+  }
+
+  PreparedNet first_;
+  PreparedNet second_;
+  const Options& options_;
+  const Context& context_;
+  std::array<Rational, 3> origin_;
+  ControlNet first_net_;
+  ControlNet second_net_;
+  double tolerance_ = 0;
+  BranchGraph graph_;
+  bool complete_ = false;
+  SurfaceResult result_;
+};
+
+}  // namespace
+
+SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
+                                const Options& options, const Context& context) {
+  return PatchPair(prepared(first, "first"), prepared(second, "second"), options, context).run();
+}
+
+}  // namespace eliminant::intersect
