@@ -29,8 +29,9 @@ struct Cell {
 
 class Subdivision {
  public:
-  Subdivision(const ControlNet& first, const ControlNet& second, const BranchLimits& limits, const Context& context)
-      : limits_(limits), context_(context) {
+  Subdivision(const ControlNet& first, const ControlNet& second, const SurfaceContactProver* contacts,
+              const BranchLimits& limits, const Context& context)
+      : contacts_(contacts), limits_(limits), context_(context) {
     std::copy(first.degrees.begin(), first.degrees.end(), test_.first.shape.degree.begin());
     std::copy(second.degrees.begin(), second.degrees.end(), test_.second.shape.degree.begin());
     test_.first.polynomial = first.polynomial;
@@ -86,11 +87,15 @@ class Subdivision {
       return;
     }
     if (verdict.regular && cell.points.size() <= 2 && cell.points.size() != 1) {
-      if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box_of(cell)});
+      if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box_of(cell), {}});
       stack_.pop_back();
       return;
     }
     const double widest = *std::max_element(cell.width.begin(), cell.width.end());
+    if (!verdict.excluded && !verdict.regular && settle_contact(cell, widest)) {
+      stack_.pop_back();
+      return;
+    }
     // Points on its sides contradict an excluded cell, or a regular one with a single point: the intersection touches.
     if (widest < limits_.smallest_width || verdict.excluded || (verdict.regular && cell.points.size() == 1)) {
       leave_open(cell);
@@ -151,6 +156,55 @@ class Subdivision {
     load(cell);
     bound(test_.first);
     bound(test_.second);
+  }
+
+  /// True when a contact is in the cell, and all of the intersection there is its arcs.
+  bool settle_contact(const Cell& cell, double widest) {
+    constexpr double small = 0.25;
+    if (contacts_ == nullptr || !(widest < small)) return false;
+    const CellBox box = box_of(cell);
+    const SurfaceContact* contact = contact_in(box, widest);
+    if (contact == nullptr) return false;
+    const auto around = contacts_->neighbourhood(*contact, box);
+    if (!around || cell.points.size() != (around->crossing ? 4U : 0U)) return false;
+    std::array<bool, 4> taken{};
+    for (const std::size_t i : cell.points) {
+      const std::array<double, 4>& at = graph_.points[i].parameters;
+      const auto half = around->half_arc(at[0] - contact->rounded[0], at[1] - contact->rounded[1]);
+      if (!half || taken[*half]) return false;
+      taken[*half] = true;
+    }
+    CrossingPoint point;
+    point.parameters = contact->rounded;
+    point.radius = place_slack;
+    for (const std::size_t i : cell.points)
+      graph_.arcs.push_back({i, graph_.points.size(), box, graph_.contacts.size()});
+    graph_.contacts.push_back({*contact, *around, box, graph_.points.size()});
+    graph_.points.push_back(point);
+    return true;
+  }
+
+  /// One that is known, or found now. Each failure makes the next attempt wait for smaller parts.
+  const SurfaceContact* contact_in(const CellBox& box, double widest) {
+    const auto inside = [&](const SurfaceContact& contact) {
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!(contact.rounded[k] > box.lower[k] && contact.rounded[k] < box.upper[k])) return false;
+      return true;
+    };
+    const auto known = [&]() -> const SurfaceContact* {
+      const auto at = std::find_if(known_contacts_.begin(), known_contacts_.end(), inside);
+      return at == known_contacts_.end() ? nullptr : &*at;
+    };
+    if (const SurfaceContact* contact = known()) return contact;
+    if (!(widest < look_for_contact_)) return nullptr;
+    const auto found = contacts_->find(box);
+    const auto same = [&](const SurfaceContact& contact) { return contact.parameters == found->parameters; };
+    if (!found || std::any_of(known_contacts_.begin(), known_contacts_.end(), same)) {
+      look_for_contact_ *= 0.5;
+      return nullptr;
+    }
+    known_contacts_.push_back(*found);
+    return known();
   }
 
   static CellBox box_of(const Cell& cell) {
@@ -299,8 +353,11 @@ class Subdivision {
     return curve;
   }
 
+  const SurfaceContactProver* contacts_;
   const BranchLimits& limits_;
   const Context& context_;
+  std::vector<SurfaceContact> known_contacts_;
+  double look_for_contact_ = 0.25;
   SurfaceCell test_;
   std::vector<Cell> stack_;
   BranchGraph graph_;
@@ -309,8 +366,9 @@ class Subdivision {
 }  // namespace
 
 BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
-                               const BranchLimits& limits, const Context& context) {
-  return Subdivision(first, second, limits, context).run(std::move(border));
+                               const SurfaceContactProver* contacts, const BranchLimits& limits,
+                               const Context& context) {
+  return Subdivision(first, second, contacts, limits, context).run(std::move(border));
 }
 
 }  // namespace eliminant::bridge

@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
+#include <eliminant/bridge/cell_box.hpp>
 #include <eliminant/bridge/control_net.hpp>
+#include <eliminant/bridge/surface_contact.hpp>
 
 namespace eliminant::bridge {
 
@@ -19,23 +22,30 @@ struct CrossingPoint {
   std::array<int, 4> side{};
 };
 
-/// A box of parameters of both patches.
-struct CellBox {
-  std::array<double, 4> lower{};
-  std::array<double, 4> upper{};
-};
-
 /// A smooth arc between two crossing points, all of the intersection in its box.
 struct CellArc {
   std::size_t from = 0;
   std::size_t to = 0;
   CellBox box;
+  /// `to` is a contact: index into BranchGraph::contacts.
+  std::optional<std::size_t> contact;
 };
 
-/// The intersection as a graph: crossing points of degree 1 (on the border) or 2, arcs between them.
+/// A contact, all of the intersection in its box: a point of its own, or four arcs that meet there.
+struct CellContact {
+  SurfaceContact contact;
+  ContactNeighbourhood around;
+  CellBox box;
+  /// Index of the point.
+  std::size_t point = 0;
+};
+
+/// The intersection as a graph: crossing points of degree 1 (on the border) or 2, contacts of degree 0 or 4, arcs
+/// between them.
 struct BranchGraph {
   std::vector<CrossingPoint> points;
   std::vector<CellArc> arcs;
+  std::vector<CellContact> contacts;
   /// Parts of the domain of which nothing is proven: contacts, singular points, arcs that touch the border. Not all of
   /// them, when `complete` is false.
   std::vector<CellBox> open;
@@ -61,8 +71,10 @@ struct BranchLimits {
 /// are monotone in one direction of space (SurfaceCell), and at most one of these. Wherever a part is cut, the points
 /// on the cut are all points of a curve on a patch (bernstein_subdivision): a monotone arc has exactly two on the sides
 /// of its cell. A cut is moved where it would pass near points that are known already, or touch the intersection.
+/// Where parts are small and not transversal, `contacts` (if given) is asked for a point of contact that explains it.
 /// Source: subdivision by transversality [SederbergMeyers1988].
 BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
-                               const BranchLimits& limits, const Context& context);
+                               const SurfaceContactProver* contacts, const BranchLimits& limits,
+                               const Context& context);
 
 }  // namespace eliminant::bridge

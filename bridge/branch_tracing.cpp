@@ -41,11 +41,16 @@ class ArcTracing {
     }
   }
 
+  /// To a regular point of the arc.
   TracedArc run(const Vector4d& from, const Vector4d& to, const Context& context) {
+    return run(from, newton(to).x, 0, context);
+  }
+
+  /// To a point, or only to within `near` of it when that is positive.
+  TracedArc run(const Vector4d& from, const Vector4d& goal, double near, const Context& context) {
     TracedArc arc;
     if (!bound_derivatives()) return arc;
     Difference here = newton(from);
-    const Vector4d goal = newton(to).x;
     add(arc, here);
     Vector4d tangent = tangent_at(here, goal - here.x);
     Vector4d curvature = curvature_at(here, tangent);
@@ -55,7 +60,14 @@ class ArcTracing {
       if (arc.points.size() % 1024 == 0) context.checkpoint("tracing");
       const Vector4d rest = goal - here.x;
       const double left = rest.dot(tangent);
-      const bool last = rest.norm() <= 1.5 * step && left > 0;
+      if (near > 0) {
+        if (rest.lpNorm<Eigen::Infinity>() < near) {
+          arc.proven = true;
+          return arc;
+        }
+        step = std::min(step, 0.3 * rest.norm());
+      }
+      const bool last = near == 0 && rest.norm() <= 1.5 * step && left > 0;
       const Difference next = last ? newton(goal) : newton(here.x + step * tangent + 0.5 * step * step * curvature);
       const Vector4d d = next.x - here.x;
       const double deviation = deviation_of(here, next, d);
@@ -256,6 +268,40 @@ TracedArc BranchTracer::trace(const CrossingPoint& from, const CrossingPoint& to
   PatchJets second(second_);
   ArcTracing tracing(first, second, box, tolerance);
   return tracing.run(vector_of(from.parameters), vector_of(to.parameters), context);
+}
+
+TracedArc BranchTracer::trace_to_contact(const CrossingPoint& from, const CellContact& contact,
+                                         const SurfaceContactProver& prover, double tolerance, const Context& context) {
+  const std::array<double, 4>& centre = contact.contact.rounded;
+  double near = 0;
+  double chord_error = 0;
+  constexpr int most_halvings = 40;
+  for (int i = 2; i < most_halvings && near == 0; ++i) {
+    CellBox box;
+    double least = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double half = std::ldexp(contact.box.upper[k] - contact.box.lower[k], -i);
+      box.lower[k] = centre[k] - half;
+      box.upper[k] = centre[k] + half;
+      least = std::min(least, half);
+    }
+    const auto around = prover.neighbourhood(contact.contact, box);
+    if (!around || !(around->chord_error < tolerance)) continue;
+    near = least;
+    chord_error = around->chord_error;
+  }
+  if (near == 0) return {};
+  PatchJets first(first_);
+  PatchJets second(second_);
+  ArcTracing tracing(first, second, contact.box, tolerance);
+  TracedArc arc = tracing.run(vector_of(from.parameters), vector_of(centre), near, context);
+  TracedPoint end;
+  end.parameters = centre;
+  const PatchJets::Value value = first.at(centre[0], centre[1]);
+  for (std::size_t k = 0; k < 3; ++k) end.point[k] = value.point[static_cast<long>(k)];
+  arc.points.push_back(end);
+  arc.error = std::max(arc.error, chord_error);
+  return arc;
 }
 
 }  // namespace eliminant::bridge

@@ -44,6 +44,11 @@ class BranchTracer {
   TracedArc trace(const CrossingPoint& from, const CrossingPoint& to, const CellBox& box, double tolerance,
                   const Context& context);
 
+  /// An arc from a crossing point to a contact, which may be singular: by steps until the chord to the contact is
+  /// within the tolerance.
+  TracedArc trace_to_contact(const CrossingPoint& from, const CellContact& contact, const SurfaceContactProver& prover,
+                             double tolerance, const Context& context);
+
  private:
   const ControlNet& first_;
   const ControlNet& second_;

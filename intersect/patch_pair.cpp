@@ -12,6 +12,7 @@
 #include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/patch_border_points.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/bridge/surface_contact.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/prepared_net.hpp>
 
@@ -107,7 +108,10 @@ class PatchPair {
       if (point.arcs == 0) add_touching_point(point);
     }
     bridge::BranchLimits limits;
-    graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), limits, context_);
+    const bridge::SurfaceContactProver contacts(first_net_, second_net_, first_.exact, second_.exact);
+    prover_ = &contacts;
+    graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), prover_, limits, context_);
+    for (const bridge::CellContact& contact : graph_.contacts) add_contact(contact);
     for (const BranchChain& chain : branch_chains(graph_)) add_chain(chain);
     complete_ = graph_.complete && graph_.open.empty() && border.open.empty();
     for (const bridge::CellBox& hull : clusters_of(graph_.open)) add_undecided(hull);
@@ -178,6 +182,25 @@ class PatchPair {
     result_.components.push_back(std::move(component));
   }
 
+  /// Singular points are those of the contacts first, in their order.
+  void add_contact(const bridge::CellContact& contact) {
+    SurfaceSingularPoint point;
+    point.kind = contact.around.crossing ? SurfaceSingularity::crossing : SurfaceSingularity::contact;
+    point.at = placed(contact.contact.rounded);
+    point.radius = 0x1p-50;
+    point.half_branches = contact.around.crossing ? 4 : 0;
+    point.certified = true;
+    result_.singular_points.push_back(point);
+    if (contact.around.crossing) return;
+    SurfaceComponent component;
+    component.kind = SurfaceComponentKind::point;
+    component.points.push_back(point.at);
+    component.tangential = true;
+    component.error = rounding_of(component) + 1e-14 * (size_of(first_net_) + size_of(second_net_));
+    component.certified = true;
+    result_.components.push_back(std::move(component));
+  }
+
   void add_undecided(const bridge::CellBox& hull) {
     SurfaceSingularPoint point;
     std::array<double, 4> middle;
@@ -198,7 +221,9 @@ class PatchPair {
     for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
       const bridge::CellArc& arc = graph_.arcs[chain.arcs[i]];
       bridge::TracedArc traced =
-          tracer.trace(graph_.points[arc.from], graph_.points[arc.to], arc.box, tolerance_, context_);
+          arc.contact ? tracer.trace_to_contact(graph_.points[arc.from], graph_.contacts[*arc.contact], *prover_,
+                                                tolerance_, context_)
+                      : tracer.trace(graph_.points[arc.from], graph_.points[arc.to], arc.box, tolerance_, context_);
       if (chain.reversed[i]) std::reverse(traced.points.begin(), traced.points.end());
       component.error = std::max(component.error, traced.error);
       component.certified = component.certified && traced.proven;
@@ -229,6 +254,13 @@ class PatchPair {
     const bridge::CrossingPoint& point = graph_.points[index];
     BranchEnd end;
     end.side = point.side;
+    const auto contact = std::find_if(graph_.contacts.begin(), graph_.contacts.end(),
+                                      [&](const bridge::CellContact& c) { return c.point == index; });
+    if (contact != graph_.contacts.end()) {
+      end.kind = BranchEndKind::singular;
+      end.singular_point = static_cast<std::size_t>(contact - graph_.contacts.begin());
+      return end;
+    }
     const auto on_border = std::find_if(point.side.begin(), point.side.end(), [](int side) { return side != 0; });
     if (on_border == point.side.end()) {
       end.kind = BranchEndKind::unknown;
@@ -269,6 +301,7 @@ class PatchPair {
   ControlNet first_net_;
   ControlNet second_net_;
   double tolerance_ = 0;
+  const bridge::SurfaceContactProver* prover_ = nullptr;
   BranchGraph graph_;
   bool complete_ = false;
   SurfaceResult result_;

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/surface_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/bridge/simple_fraction.hpp>
+#include <eliminant/bridge/taylor_tables.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+using symbolic::Rational;
+
+constexpr std::size_t weight = 3;
+
+Vector3d vector_of(const Array4d& a) { return {a[0], a[1], a[2]}; }
+
+/// Affine derivatives, enclosed on a box, in the frame of the contact: along the tangent plane, then the normal.
+struct EnclosedPatch {
+  using Point = std::array<DoubleInterval, 3>;
+  Point value;
+  std::array<Point, 2> first;
+  std::array<Point, 3> second;
+
+  explicit EnclosedPatch(const TaylorTable<DoubleInterval>& table) {
+    const DoubleInterval& w = table.at(0, 0)[weight];
+    const std::array<const std::array<DoubleInterval, 4>*, 2> slope{&table.at(1, 0), &table.at(0, 1)};
+    const std::array<const std::array<DoubleInterval, 4>*, 3> bend{&table.at(2, 0), &table.at(1, 1), &table.at(0, 2)};
+    constexpr std::array<double, 3> factor{2, 1, 2};
+    for (std::size_t k = 0; k < 3; ++k) {
+      value[k] = table.at(0, 0)[k] / w;
+      for (std::size_t i = 0; i < 2; ++i) first[i][k] = ((*slope[i])[k] - value[k] * (*slope[i])[weight]) / w;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t a = i == 2 ? 1 : 0;
+        const std::size_t b = i == 0 ? 0 : 1;
+        second[i][k] = (DoubleInterval(factor[i]) * ((*bend[i])[k] - value[k] * (*bend[i])[weight]) -
+                        first[a][k] * (*slope[b])[weight] - first[b][k] * (*slope[a])[weight]) /
+                       w;
+      }
+    }
+  }
+};
+
+/// A symmetric matrix of order 2.
+struct Hessian {
+  DoubleInterval uu;
+  DoubleInterval uv;
+  DoubleInterval vv;
+
+  DoubleInterval form(const std::array<double, 2>& a, const std::array<double, 2>& b) const {
+    return uu * DoubleInterval(a[0] * b[0]) + uv * DoubleInterval(a[0] * b[1] + a[1] * b[0]) +
+           vv * DoubleInterval(a[1] * b[1]);
+  }
+};
+
+double middle(const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); }
+
+/// The directions in which the form vanishes, of an indefinite one.
+std::array<std::array<double, 2>, 2> asymptotic_directions(double uu, double uv, double vv) {
+  const double root = std::sqrt(std::max(0.0, uv * uv - uu * vv));
+  std::array<std::array<double, 2>, 2> result;
+  if (std::fabs(uu) >= std::fabs(vv)) {
+    // uu x^2 + 2 uv x + vv = 0 with y = 1; the root without cancellation first.
+    const double sum = -(uv + (uv < 0 ? -root : root));
+    result = {{{sum, uu}, {vv, sum}}};
+  } else {
+    const double sum = -(uv + (uv < 0 ? -root : root));
+    result = {{{vv, sum}, {sum, uu}}};
+  }
+  for (auto& direction : result) {
+    const double length = std::hypot(direction[0], direction[1]);
+    direction = {direction[0] / length, direction[1] / length};
+  }
+  return result;
+}
+
+/// The tangent plane of the first patch at a point becomes the first two coordinates, dual to its partial derivatives.
+std::optional<ContactFrame> frame_at(const PatchJets::Value& at) {
+  const Vector3d u = vector_of(at.first[0]);
+  const Vector3d v = vector_of(at.first[1]);
+  const Vector3d normal = u.cross(v);
+  const double square = normal.squaredNorm();
+  if (!(square > 1e-20 * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
+  const Vector3d dual_u = v.cross(normal) / square;
+  const Vector3d dual_v = normal.cross(u) / square;
+  const Vector3d unit = normal / std::sqrt(square);
+  ContactFrame frame;
+  frame.origin = at.point;
+  frame.origin[3] = 0;
+  for (long k = 0; k < 3; ++k) frame.columns[static_cast<std::size_t>(k)] = Array4d(dual_u[k], dual_v[k], unit[k], 0);
+  return frame;
+}
+
+}  // namespace
+
+std::optional<std::size_t> ContactNeighbourhood::half_arc(double u, double v) const {
+  const auto& [p, q] = directions;
+  const double determinant = p[0] * q[1] - p[1] * q[0];
+  const double along_p = (u * q[1] - v * q[0]) / determinant;
+  const double along_q = (p[0] * v - p[1] * u) / determinant;
+  const double larger = std::max(std::fabs(along_p), std::fabs(along_q));
+  const double smaller = std::min(std::fabs(along_p), std::fabs(along_q));
+  if (!(smaller < 0.9 * larger)) return std::nullopt;
+  if (std::fabs(along_p) > std::fabs(along_q)) return along_p > 0 ? 0 : 1;
+  return along_q > 0 ? 2 : 3;
+}
+
+std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) const {
+  PatchJets first(first_);
+  PatchJets second(second_);
+  Vector4d x;
+  double reach = 0;
+  for (long k = 0; k < 4; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    x[k] = 0.5 * (box.lower[i] + box.upper[i]);
+    reach = std::max(reach, box.upper[i] - box.lower[i]);
+  }
+  double last_step = INFINITY;
+  constexpr int most_steps = 15;
+  for (int step = 0; step < most_steps; ++step) {
+    for (long k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (!(x[k] > box.lower[i] - reach) || !(x[k] < box.upper[i] + reach)) return std::nullopt;
+    }
+    const PatchJets::Value a = first.at(x[0], x[1]);
+    const PatchJets::Value b = second.at(x[2], x[3]);
+    const std::array<Vector3d, 2> da{vector_of(a.first[0]), vector_of(a.first[1])};
+    const std::array<Vector3d, 2> db{vector_of(b.first[0]), vector_of(b.first[1])};
+    const auto second_of = [](const PatchJets::Value& value, std::size_t i, std::size_t j) {
+      return vector_of(value.second[i + j]);
+    };
+    const Vector3d difference = vector_of(a.point - b.point);
+    const Vector3d normal = db[0].cross(db[1]);
+    Vector4d value;
+    Eigen::Matrix4d jacobian;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto row = static_cast<long>(i);
+      value[row] = normal.dot(da[i]);
+      value[2 + row] = difference.dot(db[i]);
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto column = static_cast<long>(k);
+        const Vector3d turning = second_of(b, 0, k).cross(db[1]) + db[0].cross(second_of(b, 1, k));
+        jacobian(row, column) = normal.dot(second_of(a, i, k));
+        jacobian(row, 2 + column) = turning.dot(da[i]);
+        jacobian(2 + row, column) = da[k].dot(db[i]);
+        jacobian(2 + row, 2 + column) = difference.dot(second_of(b, i, k)) - db[k].dot(db[i]);
+      }
+    }
+    const Vector4d change = jacobian.partialPivLu().solve(value);
+    if (!change.allFinite()) return std::nullopt;
+    x -= change;
+    last_step = change.lpNorm<Eigen::Infinity>();
+    if (last_step < 1e-13) break;
+  }
+  constexpr double at_rest = 1e-8;
+  if (!(last_step < at_rest)) return std::nullopt;
+  SurfaceContact contact;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double at = x[static_cast<long>(k)];
+    constexpr double inside = 1e-9;
+    if (!(at > inside) || !(at < 1 - inside)) return std::nullopt;
+    constexpr double accuracy = 1e-10;
+    const auto fraction = simple_fraction(at, accuracy);
+    if (!fraction) return std::nullopt;
+    contact.parameters[k] = *fraction;
+  }
+  if (!is_contact(contact.parameters)) return std::nullopt;
+  for (std::size_t k = 0; k < 4; ++k) {
+    RealBall ball;
+    arb_set_fmpq(ball.get(), contact.parameters[k].get(), 64);
+    contact.rounded[k] = arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
+  }
+  return contact;
+}
+
+bool SurfaceContactProver::is_contact(const std::array<Rational, 4>& parameters) const {
+  const TaylorTable<Rational> a = taylor_at(exact_first_, {parameters[0], parameters[1]}, 1);
+  const TaylorTable<Rational> b = taylor_at(exact_second_, {parameters[2], parameters[3]}, 1);
+  using Row = std::array<Rational, 4>;
+  const Row& p = a.at(0, 0);
+  const Row& q = b.at(0, 0);
+  if (p[weight].is_zero() || q[weight].is_zero()) return false;
+  for (std::size_t k = 0; k < weight; ++k)
+    if (!(p[k] * q[weight] - q[k] * p[weight]).is_zero()) return false;
+  // The tangent planes are equal: every tangent vector is orthogonal to the normal of the second.
+  const auto tangent = [](const Row& value, const Row& slope) {
+    std::array<Rational, 3> result;
+    for (std::size_t k = 0; k < 3; ++k) result[k] = slope[k] * value[weight] - value[k] * slope[weight];
+    return result;
+  };
+  const auto s = tangent(q, b.at(1, 0));
+  const auto t = tangent(q, b.at(0, 1));
+  const std::array<Rational, 3> normal{s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
+  for (const auto& along : {tangent(p, a.at(1, 0)), tangent(p, a.at(0, 1))})
+    if (!(along[0] * normal[0] + along[1] * normal[1] + along[2] * normal[2]).is_zero()) return false;
+  return !(normal[0].is_zero() && normal[1].is_zero() && normal[2].is_zero());
+}
+
+std::optional<ContactNeighbourhood> SurfaceContactProver::neighbourhood(const SurfaceContact& contact,
+                                                                        const CellBox& box) const {
+  const PatchJets::Value a0 = PatchJets(first_).at(contact.rounded[0], contact.rounded[1]);
+  const PatchJets::Value b0 = PatchJets(second_).at(contact.rounded[2], contact.rounded[3]);
+  const auto frame = frame_at(a0);
+  if (!frame) return std::nullopt;
+  const EnclosedPatch a(
+      taylor_on_box(first_, *frame, {{box.lower[0], box.lower[1], 0}, {box.upper[0], box.upper[1], 0}}, 0, 2));
+  // The parameters (s, t) by (u, v), to first order: the inverse of the derivative along the tangent plane.
+  const auto along_plane = [&](const Array4d& d, long row) {
+    return d[0] * frame->columns[0][row] + d[1] * frame->columns[1][row] + d[2] * frame->columns[2][row];
+  };
+  Eigen::Matrix2d derivative;
+  for (long row = 0; row < 2; ++row)
+    for (long k = 0; k < 2; ++k) derivative(row, k) = along_plane(b0.first[static_cast<std::size_t>(k)], row);
+  const Eigen::Matrix2d inverse = derivative.inverse();
+  if (!inverse.allFinite()) return std::nullopt;
+  // A box for (s, t) that holds the cell and all values of that function.
+  const double extent_u = a.value[0].magnitude();
+  const double extent_v = a.value[1].magnitude();
+  OpenBox of_second{};
+  std::array<double, 2> half{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto row = static_cast<long>(k);
+    half[k] = 1.6 * (std::fabs(inverse(row, 0)) * extent_u + std::fabs(inverse(row, 1)) * extent_v);
+    of_second.lower[k] = std::min(box.lower[2 + k], contact.rounded[2 + k] - half[k]);
+    of_second.upper[k] = std::max(box.upper[2 + k], contact.rounded[2 + k] + half[k]);
+    // Control points tell little far beyond the domain.
+    constexpr double beyond = 0.25;
+    if (of_second.lower[k] < -beyond || of_second.upper[k] > 1 + beyond) return std::nullopt;
+  }
+  const EnclosedPatch b(taylor_on_box(second_, *frame, of_second, 0, 2));
+
+  // In parameters of the second in which its derivative along the plane is near the identity.
+  std::array<EnclosedPatch::Point, 2> slope;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      slope[k][c] = b.first[0][c] * DoubleInterval(inverse(0, static_cast<long>(k))) +
+                    b.first[1][c] * DoubleInterval(inverse(1, static_cast<long>(k)));
+  double contraction = 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 2; ++k) sum += (slope[k][c] - DoubleInterval(c == k ? 1 : 0)).magnitude();
+    contraction = std::max(contraction, sum);
+  }
+  constexpr double at_most = 0.3;
+  if (!(contraction < at_most)) return std::nullopt;
+  const DoubleInterval determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
+  const std::array<std::array<DoubleInterval, 2>, 2> solve{{{slope[1][1] / determinant, -slope[1][0] / determinant},
+                                                            {-slope[0][1] / determinant, slope[0][0] / determinant}}};
+  // The normal of the second with its last component 1.
+  const std::array<DoubleInterval, 3> normal{-(slope[0][2] * solve[0][0] + slope[1][2] * solve[1][0]),
+                                             -(slope[0][2] * solve[0][1] + slope[1][2] * solve[1][1]),
+                                             DoubleInterval(1)};
+  // How (s, t) follow u and v.
+  std::array<std::array<DoubleInterval, 2>, 2> follow;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const DoubleInterval p = solve[0][0] * a.first[i][0] + solve[0][1] * a.first[i][1];
+    const DoubleInterval q = solve[1][0] * a.first[i][0] + solve[1][1] * a.first[i][1];
+    for (std::size_t k = 0; k < 2; ++k)
+      follow[i][k] =
+          DoubleInterval(inverse(static_cast<long>(k), 0)) * p + DoubleInterval(inverse(static_cast<long>(k), 1)) * q;
+  }
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    DoubleInterval sum(0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const DoubleInterval bend = b.second[0][c] * follow[i][0] * follow[j][0] +
+                                  b.second[1][c] * (follow[i][0] * follow[j][1] + follow[i][1] * follow[j][0]) +
+                                  b.second[2][c] * follow[i][1] * follow[j][1];
+      sum = sum + normal[c] * (a.second[i + j][c] - bend);
+    }
+    return sum;
+  };
+  const Hessian hessian{entry(0, 0), entry(0, 1), entry(1, 1)};
+  ContactNeighbourhood result;
+  const DoubleInterval definite = hessian.uu * hessian.vv - hessian.uv * hessian.uv;
+  if (definite.lower > 0) return result;
+
+  result.crossing = true;
+  result.directions = asymptotic_directions(middle(hessian.uu), middle(hessian.uv), middle(hessian.vv));
+  const auto& [p, q] = result.directions;
+  if (!(std::fabs(p[0] * q[1] - p[1] * q[0]) > 1e-3)) return std::nullopt;
+  const DoubleInterval mixed = hessian.form(p, q);
+  if (!mixed.excludes_zero()) return std::nullopt;
+  const double least = std::min(std::fabs(mixed.lower), std::fabs(mixed.upper));
+  const double turning = std::max(hessian.form(p, p).magnitude(), hessian.form(q, q).magnitude());
+  // Then the form has opposite signs on the diagonals between the directions, and its derivative across a direction has
+  // one sign between them: on each side of the contact there is one arc.
+  if (!(turning < 0.4 * least)) return std::nullopt;
+  result.slope = 0.63 * turning / least;
+  double reach = 0;
+  for (std::size_t k = 0; k < 2; ++k)
+    reach = std::max({reach, box.upper[k] - contact.rounded[k], contact.rounded[k] - box.lower[k]});
+  // Lengths along the directions of a point whose coordinates are at most `reach`.
+  const double length = 2 * reach / std::fabs(p[0] * q[1] - p[1] * q[0]);
+  const auto bounds = PatchJets(first_).bounds_on(box.lower[0], box.upper[0], box.lower[1], box.upper[1]);
+  if (!bounds) return std::nullopt;
+  double error = 0;
+  for (long c = 0; c < 3; ++c) {
+    const double speed = bounds->first[0][c] + bounds->first[1][c];
+    const double bend = bounds->second[0][c] + 2 * bounds->second[1][c] + bounds->second[2][c];
+    error = std::max(error, speed * 2 * result.slope * length + 0.125 * bend * 2 * length * length);
+  }
+  result.chord_error = 1.74 * error;
+  return result;
+}
+
+}  // namespace eliminant::bridge
