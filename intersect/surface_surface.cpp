@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/surface_surface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/branch_spline.hpp>
+#include <eliminant/intersect/patch_pair.hpp>
+#include <eliminant/intersect/whole_surfaces.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using symbolic::ParametricSurface;
+using symbolic::RationalSurface;
+using symbolic::SurfacePiece;
+
+void require_tensor_product(const ParametricSurface& surface) {
+  if (std::any_of(surface.pieces.begin(), surface.pieces.end(),
+                  [](const SurfacePiece& piece) { return piece.map.kind() == RationalSurface::Kind::triangular; }))
+    throw InvalidInput("a surface of three homogeneous parameters cannot be intersected with a surface yet",
+                       "two parameters");
+}
+
+bool is_bounded(const ParametricSurface& surface) {
+  return std::all_of(surface.pieces.begin(), surface.pieces.end(),
+                     [](const SurfacePiece& piece) { return piece.region.has_value(); });
+}
+
+// The worse of both.
+Status both(Status a, Status b) {
+  for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
+    if (a == status || b == status) return status;
+  return Status::certified;
+}
+
+// Adds the result of a pair of pieces to those before.
+void append(SurfaceResult& all, SurfaceResult&& part) {
+  const std::size_t offset = all.singular_points.size();
+  for (SurfaceComponent& component : part.components) {
+    for (BranchEnd* end : {&component.start, &component.end})
+      if (end->singular_point) *end->singular_point += offset;
+    all.components.push_back(std::move(component));
+  }
+  std::move(part.singular_points.begin(), part.singular_points.end(), std::back_inserter(all.singular_points));
+  std::move(part.warnings.begin(), part.warnings.end(), std::back_inserter(all.warnings));
+  all.counts.curves += part.counts.curves;
+  all.counts.loops += part.counts.loops;
+  all.counts.points += part.counts.points;
+  all.counts.overlaps += part.counts.overlaps;
+  all.counts.singular += part.counts.singular;
+  all.counts.excluded += part.counts.excluded;
+  all.status = both(all.status, part.status);
+  if (part.limit) all.limit = std::move(part.limit);
+  all.engine = std::move(part.engine);
+  all.seconds = std::move(part.seconds);
+  if (part.projection) all.projection = std::move(part.projection);
+}
+
+double extent(const SurfaceResult& result) {
+  double size = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double lower = INFINITY;
+    double upper = -INFINITY;
+    for (const SurfaceComponent& component : result.components)
+      for (const SurfacePoint& point : component.points)
+        if (std::isfinite(point.point[axis])) {
+          lower = std::min(lower, point.point[axis]);
+          upper = std::max(upper, point.point[axis]);
+        }
+    size = std::max(size, upper - lower);
+  }
+  return size;
+}
+
+void fit_splines(SurfaceResult& result, const Options& options) {
+  if (!options.splines) return;
+  const double tolerance = options.tolerance * extent(result);
+  for (SurfaceComponent& component : result.components)
+    component.spline = branch_spline(component, std::max(tolerance, component.error));
+}
+
+}  // namespace
+
+SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, const Options& options,
+                                        const Context& context) {
+  const auto* first = std::get_if<ParametricSurface>(&problem.first);
+  const auto* second = std::get_if<ParametricSurface>(&problem.second);
+  if (first == nullptr && second == nullptr)
+    throw InvalidInput("both surfaces are given by equations", "at least one surface with parameters");
+  if (first == nullptr || second == nullptr)
+    throw InvalidInput("a surface given by an equation cannot be intersected with a surface yet", "two parameters");
+  require_tensor_product(*first);
+  require_tensor_product(*second);
+  SurfaceResult result;
+  if (is_bounded(*first) && is_bounded(*second)) {
+    result.status = Status::certified;
+    for (const SurfacePiece& a : first->pieces)
+      for (const SurfacePiece& b : second->pieces) append(result, intersect_patches(a, b, options, context));
+  } else if (!is_bounded(*first) && !is_bounded(*second)) {
+    result = intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, options, context);
+  } else {
+    throw InvalidInput("one surface has a domain and the other one has none", "a domain for both surfaces, or none");
+  }
+  result.problem = "surface_surface";
+  fit_splines(result, options);
+  return result;
+}
+
+SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem& problem, const Options& options,
+                                            const Context& context) {
+  const auto& pieces = problem.surface.pieces;
+  require_tensor_product(problem.surface);
+  SurfaceResult result;
+  if (is_bounded(problem.surface)) {
+    result.status = Status::certified;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      append(result, intersect_patch_with_itself(pieces[i], options, context));
+      for (std::size_t j = i + 1; j < pieces.size(); ++j)
+        append(result, intersect_patches(pieces[i], pieces[j], options, context));
+    }
+  } else {
+    result = intersect_whole_surface_with_itself(pieces.front().map, options, context);
+  }
+  result.problem = "self_intersection";
+  fit_splines(result, options);
+  return result;
+}
+
+}  // namespace eliminant::intersect
