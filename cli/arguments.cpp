@@ -13,7 +13,7 @@ namespace eliminant::cli {
 
 namespace {
 
-constexpr std::array later_commands{"batch", "report"};
+constexpr std::array later_commands{"batch"};
 
 struct OptionText {
   const char* name;
@@ -22,35 +22,42 @@ struct OptionText {
 };
 
 // The options that a problem file may hold as well (io::option_names); their values are checked there, once for both.
-constexpr std::array<OptionText, 10> valued_options{{
+constexpr std::array<OptionText, 11> valued_options{{
     {"format", "text|json|csv", "how the answer is printed (default text)"},
     {"digits", "N", "significant decimal digits of each coordinate (default 15)"},
     {"engine", "auto|pencil|exact|box", "how the solutions are found (default auto)"},
     {"matrix", "auto|sylvester|bezout|hybrid", "which resultant matrix (default auto)"},
     {"precision", "auto|53|128|256|512|1024", "bits of the numeric stage (default auto: climbs from 53)"},
     {"epsilon", "E", "threshold of the published numeric algorithm; never decides what is reported"},
+    {"tolerance", "T", "of traced curves, relative to the size of the patches (default 1e-9)"},
     {"threads", "N", "worker threads (default 1); the answer does not depend on it"},
     {"time-limit", "S", "seconds until the computation ends with status incomplete"},
     {"memory-limit", "MB", "address space of the process in megabytes"},
     {"seed", "N", "seed of the choice of primes (default 0); the answer does not depend on it"},
 }};
-constexpr std::array<OptionText, 5> switches{{
+constexpr std::array<OptionText, 6> switches{{
     {"real", "", "list the real solutions only"},
     {"complex", "", "list all complex solutions (default without a box)"},
     {"certify", "", "prove each solution and the completeness of the list (default)"},
     {"no-certify", "", "leave the proofs out"},
-    {"equation", "", "implicitize: the implicit equation, too"},
+    {"equation", "", "implicitize: the implicit equation, too; two surfaces: the eliminant in full"},
+    {"bspline", "", "fit B-splines to traced curves, too"},
 }};
 
+constexpr const char* tolerance_of_verify =
+    "how far a candidate may be from its solution, each coordinate relative to max(1, its modulus) (default 1e-6)";
+
 void add_common_options(CLI::App& app, Arguments& arguments) {
-  for (const auto& [name, value, description] : valued_options)
+  for (const auto& [name, value, description] : valued_options) {
+    const bool of_verify = app.get_name() == "verify" && std::string(name) == "tolerance";
     app.add_option_function<std::string>(
            std::string("--") + name,
            [&arguments, name = std::string(name)](const std::string& given) {
              arguments.settings.push_back({name, given, {}});
            },
-           description)
+           of_verify ? tolerance_of_verify : description)
         ->type_name(value);
+  }
   for (const auto& [name, value, description] : switches)
     app.add_flag_callback(
         std::string("--") + name,
@@ -69,12 +76,19 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--quiet", arguments.quiet, "no warnings on standard error")->excludes(progress);
 }
 
+// The option of verify is another one than that of the problem.
+void take_tolerance(Arguments& arguments) {
+  for (const io::OptionSetting& setting : arguments.settings)
+    if (setting.name == "tolerance") arguments.tolerance = setting.value;
+  std::erase_if(arguments.settings, [](const io::OptionSetting& setting) { return setting.name == "tolerance"; });
+}
+
 }  // namespace
 
 std::variant<Arguments, Information> parse_arguments(const std::vector<std::string>& words) {
   if (!words.empty() && std::find(later_commands.begin(), later_commands.end(), words.front()) != later_commands.end())
     throw UsageError("the command " + words.front() +
-                     " is not supported by this version; expected solve, curves, verify or implicitize");
+                     " is not supported by this version; expected solve, curves, verify, implicitize or report");
 
   Arguments arguments;
   CLI::App app("Intersections of curves and surfaces by resultant matrices.", "eliminant");
@@ -94,11 +108,6 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
       app.add_subcommand("verify", "check anybody's solutions, or a certificate, against the exact problem in a file");
   verify->add_option("PROBLEM", arguments.file, "the problem; - is standard input")->required();
   verify->add_option("CANDIDATES", arguments.candidates, "solutions: JSON like a result, or CSV x,y[,multiplicity]");
-  verify
-      ->add_option("--tolerance", arguments.tolerance,
-                   "how far a candidate may be from its solution, each coordinate relative to max(1, its modulus) "
-                   "(default 1e-6)")
-      ->type_name("T");
   CLI::App* const implicitize =
       app.add_subcommand("implicitize", "matrix representation of the rational curve or surface in a file");
   implicitize
@@ -106,6 +115,10 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
                    "JSON: the problem implicitize, {\"curve\": ...}, {\"surface\": ...}, or a curve or surface itself")
       ->required();
   for (CLI::App* command : {&app, solve, curves, verify, implicitize}) add_common_options(*command, arguments);
+  CLI::App* const report = app.add_subcommand("report", "a picture of the result in a file");
+  report->add_option("RESULT", arguments.file, "a result in JSON; - is standard input")->required();
+  report->add_option("-o,--output", arguments.output, "the picture: FILE.svg, or FILE.html with tables")
+      ->type_name("FILE");
 
   // CLI11 takes the words from the back.
   std::vector<std::string> reversed = protect_polynomials(words, *curves);
@@ -124,7 +137,12 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
   arguments.command = solve->parsed()         ? Arguments::Command::solve
                       : curves->parsed()      ? Arguments::Command::curves
                       : implicitize->parsed() ? Arguments::Command::implicitize
+                      : report->parsed()      ? Arguments::Command::report
                                               : Arguments::Command::verify;
+  if (report->parsed() &&
+      !(arguments.output && (arguments.output->ends_with(".svg") || arguments.output->ends_with(".html"))))
+    throw UsageError("report writes to -o FILE.svg or -o FILE.html; see eliminant report --help");
+  if (verify->parsed()) take_tolerance(arguments);
   if (verify->parsed() && arguments.candidates.has_value() == arguments.certificate.has_value())
     throw UsageError("verify checks either CANDIDATES or --certificate FILE; see eliminant verify --help");
   if (!verify->parsed() && arguments.certificate && arguments.certificate == arguments.output)

@@ -19,9 +19,9 @@ class UsageError : public Error {
 
 /// A command line that asks for an answer.
 struct Arguments {
-  enum class Command { solve, curves, verify, implicitize };
+  enum class Command { solve, curves, verify, implicitize, report };
   Command command = Command::solve;
-  /// Of `solve`, `verify` and `implicitize`: a path, or "-" for standard input.
+  /// Of `solve`, `verify`, `implicitize` and `report`: a path, or "-" for standard input.
   std::string file;
   /// Of `verify`: what is checked, where it is no certificate.
   std::optional<std::string> candidates;

@@ -8,6 +8,7 @@
 
 #include <eliminant/cli/answer.hpp>
 #include <eliminant/cli/arguments.hpp>
+#include <eliminant/cli/report.hpp>
 #include <eliminant/cli/run.hpp>
 #include <eliminant/io/error_report.hpp>
 #include <eliminant/io/memory_limit.hpp>
@@ -39,7 +40,8 @@ int main(int argc, char** argv) {
       cli::Answer(std::nullopt).write(information->text);
       return 0;
     }
-    return cli::run(std::get<cli::Arguments>(parsed));
+    const auto& arguments = std::get<cli::Arguments>(parsed);
+    return arguments.command == cli::Arguments::Command::report ? cli::report(arguments) : cli::run(arguments);
   } catch (const cli::UsageError& error) {
     return fail({"usage", 2, error.what(), {}, {}}, cli::format_in(words));
   } catch (const std::exception& error) {

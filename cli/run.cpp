@@ -12,6 +12,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/cli/hard_stop.hpp>
+#include <eliminant/cli/printed_result.hpp>
 #include <eliminant/intersect/certificate_check.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
@@ -20,14 +21,9 @@
 #include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/self_intersection.hpp>
+#include <eliminant/intersect/surface_surface.hpp>
 #include <eliminant/io/candidates_file.hpp>
 #include <eliminant/io/certificate_json.hpp>
-#include <eliminant/io/curve_result_csv.hpp>
-#include <eliminant/io/curve_result_json.hpp>
-#include <eliminant/io/curve_result_text.hpp>
-#include <eliminant/io/curve_topology_csv.hpp>
-#include <eliminant/io/curve_topology_json.hpp>
-#include <eliminant/io/curve_topology_text.hpp>
 #include <eliminant/io/error_report.hpp>
 #include <eliminant/io/implicitize_json.hpp>
 #include <eliminant/io/implicitize_text.hpp>
@@ -36,10 +32,8 @@
 #include <eliminant/io/plane_curves_input.hpp>
 #include <eliminant/io/problem_echo.hpp>
 #include <eliminant/io/problem_file.hpp>
-#include <eliminant/io/result_csv.hpp>
-#include <eliminant/io/result_json.hpp>
-#include <eliminant/io/result_text.hpp>
 #include <eliminant/io/stated_kind.hpp>
+#include <eliminant/io/surface_result_words.hpp>
 #include <eliminant/io/verdict.hpp>
 
 namespace eliminant::cli {
@@ -71,6 +65,8 @@ const char* kind_of(const intersect::CurveCurveProblem& /*problem*/) { return "c
 const char* kind_of(const intersect::SelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
 const char* kind_of(const intersect::ImplicitizeProblem& /*problem*/) { return "implicitize"; }
 const char* kind_of(const intersect::CurveTopologyProblem& /*problem*/) { return "curve_topology"; }
+const char* kind_of(const intersect::SurfaceSurfaceProblem& /*problem*/) { return "surface_surface"; }
+const char* kind_of(const intersect::SurfaceSelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
 
 void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
 
@@ -167,7 +163,7 @@ class Run {
         [&](const Context& context) { return intersect::intersect_plane_curves(problem, options_.solve, context); });
     announce(result, result.common_component ? "the curves have a common component" : "");
     if (result.certificate) certificate_.write(io::certificate_json(*result.certificate));
-    give(print(result));
+    give(printed(result, options_, id_));
     return exit_status(result.status);
   }
 
@@ -176,7 +172,7 @@ class Run {
     const intersect::CurveResult result = watched(
         [&](const Context& context) { return intersect::intersect_curve_surface(problem, options_.solve, context); });
     announce(result, result.status == intersect::Status::infinite ? "the curve lies in the surface" : "");
-    give(print(result));
+    give(printed(result, options_, id_));
     return exit_status(result.status);
   }
 
@@ -185,7 +181,7 @@ class Run {
     const intersect::CurveResult result = watched(
         [&](const Context& context) { return intersect::intersect_curve_curve(problem, options_.solve, context); });
     announce(result, result.status == intersect::Status::infinite ? "the curves coincide" : "");
-    give(print(result));
+    give(printed(result, options_, id_));
     return exit_status(result.status);
   }
 
@@ -196,7 +192,7 @@ class Run {
     });
     announce(result,
              result.status == intersect::Status::infinite ? "a part of the curve is traced more than once" : "");
-    give(print(result));
+    give(printed(result, options_, id_));
     return exit_status(result.status);
   }
 
@@ -216,7 +212,29 @@ class Run {
     const intersect::TopologyResult result =
         watched([&](const Context& context) { return intersect::curve_topology(problem, options_.solve, context); });
     announce(result, "");
-    give(print(result));
+    give(printed(result, options_, id_));
+    return exit_status(result.status);
+  }
+
+  int solve(const intersect::SurfaceSurfaceProblem& problem) {
+    refuse_certificate();
+    return answer(watched([&](const Context& context) {
+                    return intersect::intersect_surface_surface(problem, options_.solve, context);
+                  }),
+                  io::domains_of(problem));
+  }
+
+  int solve(const intersect::SurfaceSelfIntersectionProblem& problem) {
+    refuse_certificate();
+    return answer(watched([&](const Context& context) {
+                    return intersect::intersect_surface_with_itself(problem, options_.solve, context);
+                  }),
+                  io::domains_of(problem));
+  }
+
+  int answer(const intersect::SurfaceResult& result, const io::SurfaceDomains& domains) {
+    announce(result, "");
+    give(printed(result, domains, options_, id_));
     return exit_status(result.status);
   }
 
@@ -230,42 +248,6 @@ class Run {
     if (!arguments_.quiet && options_.format == io::Format::csv && !infinite.empty())
       say("warning: " + infinite + ", which CSV cannot show");
     if (result.limit) say(io::error_line(io::report_error(LimitReached(*result.limit)), source_));
-  }
-
-  std::string print(const intersect::Result& result) const {
-    switch (options_.format) {
-      case io::Format::json:
-        return io::result_json(result, id_);
-      case io::Format::csv:
-        return io::result_csv(result);
-      case io::Format::text:
-        break;
-    }
-    return io::result_text(result, options_);
-  }
-
-  std::string print(const intersect::CurveResult& result) const {
-    switch (options_.format) {
-      case io::Format::json:
-        return io::curve_result_json(result, id_);
-      case io::Format::csv:
-        return io::curve_result_csv(result);
-      case io::Format::text:
-        break;
-    }
-    return io::curve_result_text(result, options_);
-  }
-
-  std::string print(const intersect::TopologyResult& result) const {
-    switch (options_.format) {
-      case io::Format::json:
-        return io::curve_topology_json(result, id_);
-      case io::Format::csv:
-        return io::curve_topology_csv(result);
-      case io::Format::text:
-        break;
-    }
-    return io::curve_topology_text(result, options_);
   }
 
   void refuse_certificate() const {

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include <eliminant/io/json_layout.hpp>
+#include <eliminant/io/univariate_text.hpp>
 
 namespace eliminant::io {
 
@@ -20,20 +22,12 @@ Json interval_json(const symbolic::Interval& interval) {
   return Json::array({interval.lower.to_string(), interval.upper.to_string()});
 }
 
-std::string univariate_text(const symbolic::UnivariatePolynomial& p) {
-  std::vector<symbolic::Polynomial::Term> terms;
-  for (long k = 0; k <= p.degree(); ++k)
-    if (const symbolic::Integer coefficient = p.coefficient(k); !coefficient.is_zero())
-      terms.push_back({coefficient, {static_cast<unsigned long>(k)}});
-  return symbolic::to_string(symbolic::Polynomial::from_terms(1, terms), Names{"t"});
-}
-
 Json piece_json(const symbolic::CurvePiece& piece) {
   Json out;
   out["parameter"] = "t";
   const auto& coordinates = piece.map.coordinates();
   for (std::size_t i = 0; i < coordinates.size(); ++i)
-    out[coordinates.size() == 3 ? plane_coordinates[i] : space_coordinates[i]] = univariate_text(coordinates[i]);
+    out[coordinates.size() == 3 ? plane_coordinates[i] : space_coordinates[i]] = univariate_text(coordinates[i], "t");
   if (piece.domain) out["domain"] = interval_json(*piece.domain);
   return out;
 }
@@ -67,9 +61,18 @@ Json geometry_json(const intersect::Curve& curve) {
   return pieces_json(std::get<symbolic::ParametricCurve>(curve));
 }
 
+Json equation_json(const symbolic::Polynomial& equation) {
+  return {{"implicit", symbolic::to_string(equation, Names{"x", "y", "z"})}};
+}
+
 Json geometry_json(const intersect::Surface& surface) {
   if (const auto* implicit = std::get_if<intersect::ImplicitSurface>(&surface))
-    return {{"implicit", symbolic::to_string(implicit->equation, Names{"x", "y", "z"})}};
+    return equation_json(implicit->equation);
+  return pieces_json(std::get<symbolic::ParametricSurface>(surface));
+}
+
+Json geometry_json(const std::variant<symbolic::ParametricSurface, symbolic::Polynomial>& surface) {
+  if (const auto* equation = std::get_if<symbolic::Polynomial>(&surface)) return equation_json(*equation);
   return pieces_json(std::get<symbolic::ParametricSurface>(surface));
 }
 
@@ -105,6 +108,15 @@ void echo(Json& out, const intersect::CurveCurveProblem& problem) {
 
 void echo(Json& out, const intersect::SelfIntersectionProblem& problem) { out["curve"] = geometry_json(problem.curve); }
 
+void echo(Json& out, const intersect::SurfaceSurfaceProblem& problem) {
+  out["first"] = geometry_json(problem.first);
+  out["second"] = geometry_json(problem.second);
+}
+
+void echo(Json& out, const intersect::SurfaceSelfIntersectionProblem& problem) {
+  out["surface"] = pieces_json(problem.surface);
+}
+
 void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
   if (const auto* curve = std::get_if<symbolic::ParametricCurve>(&problem.geometry))
     out["curve"] = pieces_json(*curve);
@@ -115,8 +127,9 @@ void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
 }  // namespace
 
 std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  constexpr std::array kinds{"plane_curves",      "curve_surface", "curve_curve",
-                             "self_intersection", "implicitize",   "curve_topology"};
+  constexpr std::array kinds{"plane_curves", "curve_surface",  "curve_curve",     "self_intersection",
+                             "implicitize",  "curve_topology", "surface_surface", "self_intersection"};
+  static_assert(kinds.size() == std::variant_size_v<Problem>);
   Json out;
   out["problem"] = kinds[file.problem.index()];
   if (file.id) std::visit([&](const auto& id) { out["id"] = id; }, *file.id);

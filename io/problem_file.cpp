@@ -15,6 +15,7 @@
 #include <eliminant/io/named_errors.hpp>
 #include <eliminant/io/plane_curves_input.hpp>
 #include <eliminant/io/surface_input.hpp>
+#include <eliminant/io/surface_problem_input.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 
 namespace eliminant::io {
@@ -29,11 +30,12 @@ struct ProblemFields {
   std::vector<const char*> fields;
 };
 
-const std::array<ProblemFields, 6>& problem_fields() {
-  static const std::array<ProblemFields, 6> kinds{{
+const std::array<ProblemFields, 7>& problem_fields() {
+  static const std::array<ProblemFields, 7> kinds{{
       {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
       {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
       {"curve_curve", {"problem", "first", "second", "id", "options"}},
+      {"surface_surface", {"problem", "first", "second", "id", "options"}},
       {"self_intersection", {"problem", "curve", "surface", "id", "options"}},
       {"curve_topology", {"problem", "p", "variables", "box", "id", "options"}},
       {"implicitize", {"problem", "curve", "surface", "id", "options"}},
@@ -42,9 +44,9 @@ const std::array<ProblemFields, 6>& problem_fields() {
 }
 
 constexpr const char* known_kinds =
-    "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"self_intersection\", \"curve_topology\" or "
-    "\"implicitize\"";
-constexpr std::array later_problems{"surface_surface", "cylinders", "cylinder_extraction"};
+    "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"surface_surface\", \"self_intersection\", "
+    "\"curve_topology\" or \"implicitize\"";
+constexpr std::array later_problems{"cylinders", "cylinder_extraction"};
 
 template <class Names>
 bool contains(const Names& names, std::string_view name) {
@@ -130,11 +132,16 @@ class Reader {
     return {std::move(curves[0]), std::move(curves[1])};
   }
 
-  intersect::SelfIntersectionProblem self_intersection() const {
-    const char* const expected = "\"curve\": a curve";
-    if (const JsonValue* surface = document_.root().find("surface"))
-      refuse(*surface, "the self-intersection of a surface is not supported by this version", expected);
-    return {read_curve(fields_, geometry("curve", "a curve"), "\"curve\"")};
+  intersect::SurfaceSurfaceProblem surface_surface() const {
+    const JsonValue& first = geometry("first", "a surface");
+    const JsonValue& second = geometry("second", "a surface");
+    return read_surface_pair(fields_, first, second);
+  }
+
+  Problem self_intersection() const {
+    refuse_variables();
+    return std::visit([](auto&& problem) -> Problem { return std::forward<decltype(problem)>(problem); },
+                      read_self_intersection(fields_, document_.root()));
   }
 
   intersect::ImplicitizeProblem implicitize() const {
@@ -260,6 +267,8 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
     result.problem = reader.curve_surface();
   else if (kind == "curve_curve")
     result.problem = reader.curve_curve();
+  else if (kind == "surface_surface")
+    result.problem = reader.surface_surface();
   else if (kind == "self_intersection")
     result.problem = reader.self_intersection();
   else if (kind == "curve_topology")

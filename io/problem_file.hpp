@@ -10,6 +10,7 @@
 #include <eliminant/intersect/curve_topology.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/surface_surface.hpp>
 #include <eliminant/io/run_options.hpp>
 #include <eliminant/symbolic/arithmetic/limits.hpp>
 
@@ -18,11 +19,12 @@ namespace eliminant::io {
 /// What the author of a problem calls it; repeated in the result.
 using ProblemId = std::variant<std::string, long>;
 
-/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "self_intersection",
-/// "implicitize", "curve_topology".
+/// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "self_intersection" (of
+/// a curve), "implicitize", "curve_topology", "surface_surface", "self_intersection" (of a surface).
 using Problem =
     std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem,
-                 intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem, intersect::CurveTopologyProblem>;
+                 intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem, intersect::CurveTopologyProblem,
+                 intersect::SurfaceSurfaceProblem, intersect::SurfaceSelfIntersectionProblem>;
 
 /// A problem and what its author chose for it.
 struct ProblemFile {

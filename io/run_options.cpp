@@ -13,9 +13,9 @@ namespace eliminant::io {
 
 namespace {
 
-constexpr std::array known_names{"format",   "digits",  "engine",     "matrix",       "precision",
-                                 "epsilon",  "real",    "complex",    "certify",      "no-certify",
-                                 "equation", "threads", "time-limit", "memory-limit", "seed"};
+constexpr std::array known_names{"format",    "digits",  "engine",     "matrix",       "precision", "epsilon",
+                                 "real",      "complex", "certify",    "no-certify",   "equation",  "bspline",
+                                 "tolerance", "threads", "time-limit", "memory-limit", "seed"};
 
 [[noreturn]] void refuse(const OptionSetting& setting, const std::string& expected) {
   throw InvalidInput("option " + setting.name + " is '" + setting.value.substr(0, 40) + "'", expected, setting.place);
@@ -36,6 +36,13 @@ double positive_number(const OptionSetting& setting) {
   const char* const end = setting.value.data() + setting.value.size();
   const auto [rest, error] = std::from_chars(setting.value.data(), end, value);
   if (error != std::errc{} || rest != end || !std::isfinite(value) || value <= 0) refuse(setting, "a positive number");
+  return value;
+}
+
+// Relative to the size of something: less than 1.
+double relative_tolerance(const OptionSetting& setting) {
+  const double value = positive_number(setting);
+  if (value >= 1) refuse(setting, "a number between 0 and 1");
   return value;
 }
 
@@ -100,6 +107,10 @@ void apply(RunOptions& options, const OptionSetting& setting) {
     solve.certify = !switch_value(setting);
   } else if (name == "equation") {
     solve.equation = switch_value(setting);
+  } else if (name == "bspline") {
+    solve.splines = switch_value(setting);
+  } else if (name == "tolerance") {
+    solve.tolerance = relative_tolerance(setting);
   } else if (name == "threads") {
     solve.threads = whole_number<unsigned>(setting, 1, 1024);
   } else if (name == "time-limit") {
@@ -131,7 +142,8 @@ std::string shortest(double value) {
 std::span<const char* const> option_names() { return known_names; }
 
 bool is_switch(std::string_view name) {
-  return name == "real" || name == "complex" || name == "certify" || name == "no-certify" || name == "equation";
+  return name == "real" || name == "complex" || name == "certify" || name == "no-certify" || name == "equation" ||
+         name == "bspline";
 }
 
 void apply_options(RunOptions& options, std::span<const OptionSetting> settings) {
@@ -145,12 +157,7 @@ void apply_options(RunOptions& options, std::span<const OptionSetting> settings)
   for (const OptionSetting& setting : settings) apply(options, setting);
 }
 
-double tolerance(const std::string& value) {
-  const OptionSetting setting{"tolerance", value, {}};
-  const double result = positive_number(setting);
-  if (result >= 1) refuse(setting, "a number between 0 and 1");
-  return result;
-}
+double tolerance(const std::string& value) { return relative_tolerance({"tolerance", value, {}}); }
 
 std::vector<OptionSetting> settings_of(const RunOptions& options) {
   const RunOptions defaults;
@@ -167,6 +174,8 @@ std::vector<OptionSetting> settings_of(const RunOptions& options) {
   if (solve.field == Field::complex) add("complex", "true");
   if (!solve.certify) add("certify", "false");
   if (solve.equation) add("equation", "true");
+  if (solve.splines) add("bspline", "true");
+  if (solve.tolerance != defaults.solve.tolerance) add("tolerance", shortest(solve.tolerance));
   if (solve.threads != defaults.solve.threads) add("threads", std::to_string(solve.threads));
   if (options.time_limit_seconds) add("time-limit", shortest(*options.time_limit_seconds));
   if (options.memory_limit_megabytes) add("memory-limit", std::to_string(*options.memory_limit_megabytes));

@@ -38,7 +38,7 @@ bool is_switch(std::string_view name);
 /// range and for `real` with `complex`; the message names the option, the value and what it can be.
 void apply_options(RunOptions& options, std::span<const OptionSetting> settings);
 
-/// The value of `--tolerance`: between 0 and 1. Throws InvalidInput.
+/// The value of the `--tolerance` of verify: between 0 and 1. Throws InvalidInput.
 double tolerance(const std::string& value);
 
 /// The settings that lead from the defaults to `options`, to be written into a problem file.

@@ -85,6 +85,13 @@ TEST_CASE("program: a wrong command line is bad usage") {
                                 "curves x y --threads 0",
                                 "curves x y --seed -1",
                                 "curves x y --epsilon nan",
+                                "curves x y --tolerance 0",
+                                "curves x y --tolerance 1",
+                                "curves x y --tolerance -1e-9",
+                                "report",
+                                "report result.json",
+                                "report result.json -o picture.pdf",
+                                "report result.json -o picture",
                                 "curves x y --memory-limit 1.5",
                                 "solve a.json b.json"}) {
     CAPTURE(arguments);
@@ -138,9 +145,10 @@ TEST_CASE("program: help and version are answers") {
   const Outcome help = run_program(folder, "curves --help");
   CHECK(help.status == 0);
   for (const char* option :
-       {"--format",      "--digits",       "--engine",     "--matrix", "--precision", "--epsilon", "--real",
-        "--complex",     "--certify",      "--no-certify", "--box",    "--variables", "--threads", "--time-limit",
-        "--certificate", "--memory-limit", "--output",     "--echo",   "--progress",  "--quiet",   "--seed"})
+       {"--format",   "--digits",     "--engine",      "--matrix",       "--precision", "--epsilon",
+        "--real",     "--complex",    "--certify",     "--no-certify",   "--box",       "--variables",
+        "--threads",  "--time-limit", "--certificate", "--memory-limit", "--output",    "--echo",
+        "--progress", "--quiet",      "--seed",        "--tolerance",    "--equation",  "--bspline"})
     CHECK(contains(help.out, option));
 }
 
