@@ -77,11 +77,19 @@ double extent(const SurfaceResult& result) {
   return size;
 }
 
+// Polylines that leave two thirds of the tolerance to the splines fitted to them.
+Options tracing_options(const Options& options) {
+  Options result = options;
+  if (options.splines) result.tolerance = options.tolerance / 3;
+  return result;
+}
+
 void fit_splines(SurfaceResult& result, const Options& options) {
   if (!options.splines) return;
-  const double tolerance = options.tolerance * extent(result);
+  // The size of the surfaces is at least that of the curves.
+  const double tolerance = 2 * options.tolerance / 3 * extent(result);
   for (SurfaceComponent& component : result.components)
-    component.spline = branch_spline(component, std::max(tolerance, component.error));
+    component.spline = branch_spline(component, std::max(tolerance, 2 * component.error));
 }
 
 }  // namespace
@@ -96,13 +104,14 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
     throw InvalidInput("a surface given by an equation cannot be intersected with a surface yet", "two parameters");
   require_tensor_product(*first);
   require_tensor_product(*second);
+  const Options tracing = tracing_options(options);
   SurfaceResult result;
   if (is_bounded(*first) && is_bounded(*second)) {
     result.status = Status::certified;
     for (const SurfacePiece& a : first->pieces)
-      for (const SurfacePiece& b : second->pieces) append(result, intersect_patches(a, b, options, context));
+      for (const SurfacePiece& b : second->pieces) append(result, intersect_patches(a, b, tracing, context));
   } else if (!is_bounded(*first) && !is_bounded(*second)) {
-    result = intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, options, context);
+    result = intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, tracing, context);
   } else {
     throw InvalidInput("one surface has a domain and the other one has none", "a domain for both surfaces, or none");
   }
@@ -115,16 +124,17 @@ SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem
                                             const Context& context) {
   const auto& pieces = problem.surface.pieces;
   require_tensor_product(problem.surface);
+  const Options tracing = tracing_options(options);
   SurfaceResult result;
   if (is_bounded(problem.surface)) {
     result.status = Status::certified;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      append(result, intersect_patch_with_itself(pieces[i], options, context));
+      append(result, intersect_patch_with_itself(pieces[i], tracing, context));
       for (std::size_t j = i + 1; j < pieces.size(); ++j)
-        append(result, intersect_patches(pieces[i], pieces[j], options, context));
+        append(result, intersect_patches(pieces[i], pieces[j], tracing, context));
     }
   } else {
-    result = intersect_whole_surface_with_itself(pieces.front().map, options, context);
+    result = intersect_whole_surface_with_itself(pieces.front().map, tracing, context);
   }
   result.problem = "self_intersection";
   fit_splines(result, options);

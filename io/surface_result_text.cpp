@@ -69,7 +69,8 @@ std::string projection_text(const SurfaceResult& result, bool equation) {
     text += "The determinant vanishes: " + std::string(explanation(eliminant.vanishing)) + "\n";
   Rows rows{{"factor", "multiplicity", "above it"}};
   for (const symbolic::EliminantComponent& component : eliminant.components)
-    rows.push_back({size_text(component.factor), std::to_string(component.multiplicity),
+    rows.push_back({equation ? symbolic::to_string(component.factor, variables) : size_text(component.factor),
+                    std::to_string(component.multiplicity),
                     std::string(explanation(component.kind)) + (component.proven ? "" : " (not proven)")});
   if (rows.size() > 1) text += text_table(rows, {false, true, false});
   if (equation) text += "\nD = " + symbolic::to_string(eliminant.divisor, variables) + "\n";
