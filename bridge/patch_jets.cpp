@@ -138,4 +138,26 @@ Array4d PatchJets::largest_derivative(std::vector<Array4d> points, std::size_t p
   return slack * factor * (largest + roundings * size + net_.error * static_cast<double>(1U << (p + q)));
 }
 
+std::optional<ContactFrame> tangent_frame(const PatchJets::Value& at) {
+  const auto cross = [](const Array4d& a, const Array4d& b) {
+    return Array4d(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0);
+  };
+  const auto square = [](const Array4d& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; };
+  const Array4d& u = at.first[0];
+  const Array4d& v = at.first[1];
+  const Array4d normal = cross(u, v);
+  const double area = square(normal);
+  constexpr double least_sine = 1e-10;
+  if (!(area > least_sine * least_sine * square(u) * square(v))) return std::nullopt;
+  const Array4d dual_u = cross(v, normal) / area;
+  const Array4d dual_v = cross(normal, u) / area;
+  const double length = std::sqrt(area);
+  ContactFrame frame;
+  frame.origin = at.point;
+  frame.origin[3] = 0;
+  for (long k = 0; k < 3; ++k)
+    frame.columns[static_cast<std::size_t>(k)] = Array4d(dual_u[k], dual_v[k], normal[k] / length, 0);
+  return frame;
+}
+
 }  // namespace eliminant::bridge

@@ -8,6 +8,7 @@
 
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/bridge/net_side.hpp>
+#include <eliminant/bridge/taylor_tables.hpp>
 
 namespace eliminant::bridge {
 
@@ -55,5 +56,9 @@ class PatchJets {
   std::vector<Array4d> scratch_;
   std::vector<Array4d> rows_;
 };
+
+/// The tangent plane at a point becomes the first two coordinates, dual to the partial derivatives, the unit normal the
+/// third; nullopt at a singular point.
+std::optional<ContactFrame> tangent_frame(const PatchJets::Value& at);
 
 }  // namespace eliminant::bridge

@@ -84,23 +84,6 @@ std::array<std::array<double, 2>, 2> asymptotic_directions(double uu, double uv,
   return result;
 }
 
-/// The tangent plane of the first patch at a point becomes the first two coordinates, dual to its partial derivatives.
-std::optional<ContactFrame> frame_at(const PatchJets::Value& at) {
-  const Vector3d u = vector_of(at.first[0]);
-  const Vector3d v = vector_of(at.first[1]);
-  const Vector3d normal = u.cross(v);
-  const double square = normal.squaredNorm();
-  if (!(square > 1e-20 * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
-  const Vector3d dual_u = v.cross(normal) / square;
-  const Vector3d dual_v = normal.cross(u) / square;
-  const Vector3d unit = normal / std::sqrt(square);
-  ContactFrame frame;
-  frame.origin = at.point;
-  frame.origin[3] = 0;
-  for (long k = 0; k < 3; ++k) frame.columns[static_cast<std::size_t>(k)] = Array4d(dual_u[k], dual_v[k], unit[k], 0);
-  return frame;
-}
-
 }  // namespace
 
 std::optional<std::size_t> ContactNeighbourhood::half_arc(double u, double v) const {
@@ -210,7 +193,7 @@ std::optional<ContactNeighbourhood> SurfaceContactProver::neighbourhood(const Su
                                                                         const CellBox& box) const {
   const PatchJets::Value a0 = PatchJets(first_).at(contact.rounded[0], contact.rounded[1]);
   const PatchJets::Value b0 = PatchJets(second_).at(contact.rounded[2], contact.rounded[3]);
-  const auto frame = frame_at(a0);
+  const auto frame = tangent_frame(a0);
   if (!frame) return std::nullopt;
   const EnclosedPatch a(
       taylor_on_box(first_, *frame, {{box.lower[0], box.lower[1], 0}, {box.upper[0], box.upper[1], 0}}, 0, 2));

@@ -14,6 +14,7 @@
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
 #include <eliminant/intersect/branch_components.hpp>
+#include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/prepared_net.hpp>
 
 namespace eliminant::intersect {
@@ -31,13 +32,6 @@ double nearest(const Rational& value) {
   return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
 }
 
-PreparedNet prepared(const symbolic::SurfacePiece& piece, const char* which) {
-  if (auto net = prepared_net(piece)) return *std::move(net);
-  throw InvalidInput(std::string("the ") + which +
-                     " surface is no patch: a tensor-product map that depends on both parameters, on a domain of "
-                     "positive area, was expected");
-}
-
 /// Weights of one sign are made positive.
 void make_weights_positive(PreparedNet& net) {
   const bool negative =
@@ -51,27 +45,13 @@ bool has_positive_weights(const PreparedNet& net) {
   return std::all_of(net.exact.points.begin(), net.exact.points.end(), [](const auto& p) { return p[3].sign() > 0; });
 }
 
-/// Largest side of the box around the control points.
-double size_of(const ControlNet& net) {
-  Array4d lower = Array4d::Constant(INFINITY);
-  Array4d upper = Array4d::Constant(-INFINITY);
-  for (const Array4d& point : net.points) {
-    const Array4d affine = point / point[3];
-    lower = lower.min(affine);
-    upper = upper.max(affine);
-  }
-  return (upper - lower).head<3>().maxCoeff();
-}
-
 class PatchPair {
  public:
-  PatchPair(PreparedNet first, PreparedNet second, const Options& options, const Context& context)
-      : first_(std::move(first)), second_(std::move(second)), options_(options), context_(context) {}
+  PatchPair(PreparedNet first, PreparedNet second, double tolerance, const Context& context)
+      : first_(std::move(first)), second_(std::move(second)), tolerance_(tolerance), context_(context) {}
 
   SurfaceResult run() && {
     const auto start = std::chrono::steady_clock::now();
-    make_weights_positive(first_);
-    make_weights_positive(second_);
     result_.engine.method = "subdivision";
     result_.engine.precision_bits = 53;
     if (prepare()) solve();
@@ -95,7 +75,6 @@ class PatchPair {
     }
     first_net_ = *std::move(first);
     second_net_ = *std::move(second);
-    tolerance_ = options_.tolerance * std::min(size_of(first_net_), size_of(second_net_));
     return true;
   }
 
@@ -113,39 +92,13 @@ class PatchPair {
     graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), prover_, limits, context_);
     for (const bridge::CellContact& contact : graph_.contacts) add_contact(contact);
     for (const BranchChain& chain : branch_chains(graph_)) add_chain(chain);
-    complete_ = graph_.complete && graph_.open.empty() && border.open.empty();
+    const bool complete = graph_.complete && graph_.open.empty() && border.open.empty();
     for (const bridge::CellBox& hull : clusters_of(graph_.open)) add_undecided(hull);
     for (const bridge::OpenBorder& open : border.open)
       result_.warnings.push_back(border_name(open.axis, open.side) + ": " + open.reason);
     if (!graph_.complete) result_.warnings.push_back("the subdivision was ended at its limit");
-    finish();
-  }
-
-  void finish() {
-    std::stable_sort(result_.components.begin(), result_.components.end(), [](const auto& a, const auto& b) {
-      if (a.kind != b.kind) return a.kind < b.kind;
-      return a.points.front().parameters < b.points.front().parameters;
-    });
-    bool all = complete_;
-    for (const SurfaceComponent& component : result_.components) {
-      switch (component.kind) {
-        case SurfaceComponentKind::curve:
-          ++result_.counts.curves;
-          break;
-        case SurfaceComponentKind::loop:
-          ++result_.counts.loops;
-          break;
-        case SurfaceComponentKind::point:
-          ++result_.counts.points;
-          break;
-        case SurfaceComponentKind::overlap:
-          ++result_.counts.overlaps;
-          break;
-      }
-      all = all && component.certified;
-    }
-    result_.counts.singular = result_.singular_points.size();
-    result_.status = all ? Status::certified : Status::numeric;
+    result_.status = complete ? Status::certified : Status::numeric;
+    summarise(result_);
   }
 
   static std::string border_name(std::size_t axis, int side) {
@@ -176,6 +129,8 @@ class PatchPair {
     SurfaceComponent component;
     component.kind = SurfaceComponentKind::point;
     component.points.push_back(placed(point.parameters));
+    component.start.side = point.side;
+    component.end = component.start;
     component.tangential = point.touching;
     component.error = point.radius;
     component.certified = true;
@@ -196,7 +151,7 @@ class PatchPair {
     component.kind = SurfaceComponentKind::point;
     component.points.push_back(point.at);
     component.tangential = true;
-    component.error = rounding_of(component) + 1e-14 * (size_of(first_net_) + size_of(second_net_));
+    component.error = rounding_of(component) + 1e-14 * (size_of(first_) + size_of(second_));
     component.certified = true;
     result_.components.push_back(std::move(component));
   }
@@ -295,23 +250,54 @@ class PatchPair {
 
   PreparedNet first_;
   PreparedNet second_;
-  const Options& options_;
+  double tolerance_;
   const Context& context_;
   std::array<Rational, 3> origin_;
   ControlNet first_net_;
   ControlNet second_net_;
-  double tolerance_ = 0;
   const bridge::SurfaceContactProver* prover_ = nullptr;
   BranchGraph graph_;
-  bool complete_ = false;
   SurfaceResult result_;
 };
 
 }  // namespace
 
+PreparedNet prepared_patch(const symbolic::SurfacePiece& piece, const char* which) {
+  if (auto net = prepared_net(piece)) {
+    make_weights_positive(*net);
+    return *std::move(net);
+  }
+  throw InvalidInput(std::string("the ") + which +
+                     " surface is no patch: a tensor-product map that depends on both parameters, on a domain of "
+                     "positive area, was expected");
+}
+
+double size_of(const PreparedNet& net) {
+  std::array<double, 3> lower;
+  std::array<double, 3> upper;
+  lower.fill(INFINITY);
+  upper.fill(-INFINITY);
+  for (const bridge::ExactPoint& point : net.exact.points) {
+    if (point[3].is_zero()) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = nearest(point[k] / point[3]);
+      lower[k] = std::min(lower[k], x);
+      upper[k] = std::max(upper[k], x);
+    }
+  }
+  return std::max({upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]});
+}
+
+SurfaceResult intersect_patches(PreparedNet first, PreparedNet second, double tolerance, const Context& context) {
+  return PatchPair(std::move(first), std::move(second), tolerance, context).run();
+}
+
 SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
                                 const Options& options, const Context& context) {
-  return PatchPair(prepared(first, "first"), prepared(second, "second"), options, context).run();
+  PreparedNet a = prepared_patch(first, "first");
+  PreparedNet b = prepared_patch(second, "second");
+  const double size = std::min(size_of(a), size_of(b));
+  return intersect_patches(std::move(a), std::move(b), options.tolerance * size, context);
 }
 
 }  // namespace eliminant::intersect

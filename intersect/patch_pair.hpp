@@ -3,6 +3,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/intersect/options.hpp>
+#include <eliminant/intersect/prepared_net.hpp>
 #include <eliminant/intersect/surface_result.hpp>
 #include <eliminant/symbolic/geometry/rational_surface.hpp>
 
@@ -12,6 +13,16 @@ namespace eliminant::intersect {
 /// and engine of the result; every arc ends on a border or at a singular point.
 SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
                                 const Options& options, const Context& context);
+
+/// A patch as the engine takes it, weights positive where they have one sign. Throws InvalidInput where it is none;
+/// `which` names the surface.
+PreparedNet prepared_patch(const symbolic::SurfacePiece& piece, const char* which);
+
+/// Largest side of the box around the control points.
+double size_of(const PreparedNet& net);
+
+/// The same of prepared patches; `tolerance` is a distance in space.
+SurfaceResult intersect_patches(PreparedNet first, PreparedNet second, double tolerance, const Context& context);
 
 /// The same of one patch with itself: pairs of different parameters with one point, each curve once.
 SurfaceResult intersect_patch_with_itself(const symbolic::SurfacePiece& patch, const Options& options,

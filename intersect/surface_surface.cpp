@@ -31,36 +31,6 @@ bool is_bounded(const ParametricSurface& surface) {
                      [](const SurfacePiece& piece) { return piece.region.has_value(); });
 }
 
-// The worse of both.
-Status both(Status a, Status b) {
-  for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
-    if (a == status || b == status) return status;
-  return Status::certified;
-}
-
-// Adds the result of a pair of pieces to those before.
-void append(SurfaceResult& all, SurfaceResult&& part) {
-  const std::size_t offset = all.singular_points.size();
-  for (SurfaceComponent& component : part.components) {
-    for (BranchEnd* end : {&component.start, &component.end})
-      if (end->singular_point) *end->singular_point += offset;
-    all.components.push_back(std::move(component));
-  }
-  std::move(part.singular_points.begin(), part.singular_points.end(), std::back_inserter(all.singular_points));
-  std::move(part.warnings.begin(), part.warnings.end(), std::back_inserter(all.warnings));
-  all.counts.curves += part.counts.curves;
-  all.counts.loops += part.counts.loops;
-  all.counts.points += part.counts.points;
-  all.counts.overlaps += part.counts.overlaps;
-  all.counts.singular += part.counts.singular;
-  all.counts.excluded += part.counts.excluded;
-  all.status = both(all.status, part.status);
-  if (part.limit) all.limit = std::move(part.limit);
-  all.engine = std::move(part.engine);
-  all.seconds = std::move(part.seconds);
-  if (part.projection) all.projection = std::move(part.projection);
-}
-
 double extent(const SurfaceResult& result) {
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

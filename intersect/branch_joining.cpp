@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/branch_joining.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using Parameters = std::array<double, 4>;
+
+/// Ends are refined to much better than that, and different ones must be farther apart than the second.
+constexpr double same_within = 1e-9;
+constexpr double apart_by = 1e-7;
+
+double distance(const Parameters& a, const Parameters& b) {
+  double result = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (a[k] == b[k]) continue;
+    // Large parameters are compared by their inverses.
+    const double difference = std::fabs(a[k]) > 1 && std::fabs(b[k]) > 1 ? 1 / a[k] - 1 / b[k] : a[k] - b[k];
+    result = std::max(result, std::fabs(difference));
+  }
+  return result;
+}
+
+Parameters exchanged(const Parameters& p) { return {p[2], p[3], p[0], p[1]}; }
+
+void exchange(SurfaceComponent& component) {
+  for (SurfacePoint& point : component.points) point.parameters = exchanged(point.parameters);
+  for (BranchEnd* end : {&component.start, &component.end})
+    end->side = {end->side[2], end->side[3], end->side[0], end->side[1]};
+}
+
+void reverse(SurfaceComponent& component) {
+  std::reverse(component.points.begin(), component.points.end());
+  std::swap(component.start, component.end);
+}
+
+/// Forgets the sides that are no borders of the whole domain; true when some were, and none is left.
+bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds) {
+  bool any = false;
+  bool left = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (end.side[k] == 0) continue;
+    any = true;
+    constexpr double rounding = 1e-13;
+    const bool border = bounds[k] && std::fabs(at[k] - (*bounds[k])[end.side[k] < 0 ? 0 : 1]) <=
+                                         rounding * std::max(1.0, std::fabs(at[k]));
+    if (!border) end.side[k] = 0;
+    left = left || border;
+  }
+  return any && !left;
+}
+
+class Joining {
+ public:
+  Joining(SurfaceResult& result, const DomainBounds& bounds, bool symmetric)
+      : result_(result), bounds_(bounds), symmetric_(symmetric) {}
+
+  void run() {
+    take_out_corner_points();
+    for (SurfaceComponent& component : result_.components)
+      if (component.kind == SurfaceComponentKind::curve)
+        pieces_.push_back(std::move(component));
+      else
+        rest_.push_back(std::move(component));
+    for (SurfaceComponent& piece : pieces_) {
+      open_.push_back({piece.start.kind == BranchEndKind::border &&
+                           is_only_seam(piece.start, piece.points.front().parameters, bounds_),
+                       piece.end.kind == BranchEndKind::border &&
+                           is_only_seam(piece.end, piece.points.back().parameters, bounds_)});
+    }
+    used_.assign(pieces_.size(), false);
+    // Curves with an end first, what then is left are loops.
+    for (const bool with_end : {true, false})
+      for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (used_[i] || (with_end && open_[i][0] && open_[i][1])) continue;
+        if (with_end && open_[i][0]) turn(i);
+        follow(i);
+      }
+    result_.components = std::move(rest_);
+  }
+
+ private:
+  void take_out_corner_points() {
+    std::erase_if(result_.components, [&](SurfaceComponent& component) {
+      return component.kind == SurfaceComponentKind::point &&
+             is_only_seam(component.start, component.points.front().parameters, bounds_);
+    });
+  }
+
+  void turn(std::size_t i) {
+    reverse(pieces_[i]);
+    std::swap(open_[i][0], open_[i][1]);
+  }
+
+  /// From the start of a piece as far as it goes.
+  void follow(std::size_t first) {
+    used_[first] = true;
+    SurfaceComponent curve = std::move(pieces_[first]);
+    const bool may_close = open_[first][0];
+    const Parameters begin = curve.points.front().parameters;
+    bool open = open_[first][1];
+    while (open) {
+      const Parameters at = curve.points.back().parameters;
+      const auto next = continuation(at);
+      if (!next) {
+        if (may_close && distance(at, begin) < same_within) {
+          curve.kind = SurfaceComponentKind::loop;
+          curve.points.back() = curve.points.front();
+        } else {
+          leave_unjoined(curve, curve.end);
+        }
+        break;
+      }
+      SurfaceComponent& piece = pieces_[*next];
+      used_[*next] = true;
+      open = open_[*next][1];
+      curve.points.insert(curve.points.end(), piece.points.begin() + 1, piece.points.end());
+      curve.end = piece.end;
+      curve.error = std::max(curve.error, piece.error);
+      curve.tangential = curve.tangential || piece.tangential;
+      if (!piece.certified && curve.certified) curve.reason = piece.reason;
+      curve.certified = curve.certified && piece.certified;
+    }
+    if (may_close && curve.kind == SurfaceComponentKind::curve) leave_unjoined(curve, curve.start);
+    rest_.push_back(std::move(curve));
+  }
+
+  static void leave_unjoined(SurfaceComponent& curve, BranchEnd& end) {
+    end.kind = BranchEndKind::unknown;
+    curve.certified = false;
+    curve.reason = "it could not be followed from one piece of a surface to the next";
+  }
+
+  /// The one piece not used yet that begins there, turned if necessary.
+  std::optional<std::size_t> continuation(const Parameters& at) {
+    struct Candidate {
+      std::size_t piece = 0;
+      bool turned = false;
+      bool exchanged = false;
+      double distance = INFINITY;
+    };
+    Candidate best;
+    double second_best = INFINITY;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (used_[i]) continue;
+      for (const bool turned : {false, true}) {
+        if (!open_[i][turned ? 1 : 0]) continue;
+        const Parameters& there = (turned ? pieces_[i].points.back() : pieces_[i].points.front()).parameters;
+        for (const bool mirrored : {false, true}) {
+          if (mirrored && !symmetric_) continue;
+          const double d = distance(at, mirrored ? exchanged(there) : there);
+          if (d < best.distance) {
+            second_best = best.distance;
+            best = {i, turned, mirrored, d};
+          } else {
+            second_best = std::min(second_best, d);
+          }
+        }
+      }
+    }
+    if (!(best.distance < same_within) || second_best < apart_by) return std::nullopt;
+    if (best.turned) turn(best.piece);
+    if (best.exchanged) exchange(pieces_[best.piece]);
+    return best.piece;
+  }
+
+  SurfaceResult& result_;
+  const DomainBounds& bounds_;
+  bool symmetric_;
+  std::vector<SurfaceComponent> pieces_;
+  std::vector<SurfaceComponent> rest_;
+  /// Whether start and end are to be continued.
+  std::vector<std::array<bool, 2>> open_;
+  std::vector<bool> used_;
+};
+
+/// How far in the parameters a polyline passes from a point.
+double distance_to(const SurfaceComponent& component, const Parameters& at) {
+  double result = INFINITY;
+  const auto& points = component.points;
+  if (points.size() == 1) return distance(points.front().parameters, at);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Parameters& a = points[i].parameters;
+    const Parameters& b = points[i + 1].parameters;
+    double dot = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      dot += (at[k] - a[k]) * (b[k] - a[k]);
+      square += (b[k] - a[k]) * (b[k] - a[k]);
+    }
+    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
+    Parameters foot;
+    for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
+    result = std::min(result, distance(foot, at));
+  }
+  return result;
+}
+
+}  // namespace
+
+void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symmetric) {
+  Joining(result, bounds, symmetric).run();
+}
+
+void remove_mirror_images(SurfaceResult& result) {
+  std::vector<SurfaceComponent>& all = result.components;
+  std::vector<bool> removed(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (removed[i]) continue;
+    const Parameters image = exchanged(all[i].points[all[i].points.size() / 2].parameters);
+    double nearest = INFINITY;
+    std::size_t partner = i;
+    for (std::size_t j = i; j < all.size(); ++j) {
+      if (removed[j] || all[j].kind != all[i].kind) continue;
+      const double d = distance_to(all[j], image);
+      if (!(d < nearest)) continue;
+      nearest = d;
+      partner = j;
+    }
+    // Polylines are that far from their curves in the parameters at most.
+    constexpr double near = 1e-3;
+    if (!(nearest < near)) {
+      all[i].certified = false;
+      all[i].reason = "its image under the exchange of both preimages was not found";
+    } else if (partner == i) {
+      all[i].mirrored = all[i].kind != SurfaceComponentKind::point;
+    } else {
+      removed[partner] = true;
+    }
+  }
+  std::size_t index = 0;
+  std::erase_if(all, [&](const SurfaceComponent&) { return removed[index++]; });
+}
+
+void append(SurfaceResult& all, SurfaceResult part) {
+  const std::size_t offset = all.singular_points.size();
+  for (SurfaceComponent& component : part.components) {
+    for (BranchEnd* end : {&component.start, &component.end})
+      if (end->singular_point) *end->singular_point += offset;
+    all.components.push_back(std::move(component));
+  }
+  std::move(part.singular_points.begin(), part.singular_points.end(), std::back_inserter(all.singular_points));
+  for (std::string& warning : part.warnings)
+    if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
+      all.warnings.push_back(std::move(warning));
+  all.counts.excluded += part.counts.excluded;
+  for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
+    if (all.status == status || part.status == status) {
+      all.status = status;
+      break;
+    }
+  if (part.limit) all.limit = std::move(part.limit);
+  if (all.engine.method.empty()) all.engine = std::move(part.engine);
+}
+
+void summarise(SurfaceResult& result) {
+  std::stable_sort(result.components.begin(), result.components.end(), [](const auto& a, const auto& b) {
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.points.front().parameters < b.points.front().parameters;
+  });
+  const auto excluded = result.counts.excluded;
+  result.counts = {};
+  result.counts.excluded = excluded;
+  for (const SurfaceComponent& component : result.components) {
+    switch (component.kind) {
+      case SurfaceComponentKind::curve:
+        ++result.counts.curves;
+        break;
+      case SurfaceComponentKind::loop:
+        ++result.counts.loops;
+        break;
+      case SurfaceComponentKind::point:
+        ++result.counts.points;
+        break;
+      case SurfaceComponentKind::overlap:
+        ++result.counts.overlaps;
+        break;
+    }
+    if (!component.certified && result.status == Status::certified) result.status = Status::numeric;
+  }
+  for (const SurfaceSingularPoint& point : result.singular_points)
+    if (!point.certified && result.status == Status::certified) result.status = Status::numeric;
+  result.counts.singular = result.singular_points.size();
+}
+
+}  // namespace eliminant::intersect

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/injectivity.hpp>
+#include <eliminant/intersect/branch_components.hpp>
+#include <eliminant/intersect/branch_joining.hpp>
+#include <eliminant/intersect/patch_pair.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using symbolic::Integer;
+using symbolic::Rational;
+
+/// Where a patch is cut along both parameters, in [0, 1], from 0 to 1.
+using Grid = std::array<std::vector<Rational>, 2>;
+
+double nearest(const Rational& value) {
+  bridge::RealBall ball;
+  arb_set_fmpq(ball.get(), value.get(), 64);
+  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
+}
+
+/// About equal parts. The lines of the two grids differ, and have no symmetry: inputs do, and their double curves would
+/// pass through corners.
+Grid grid_of(std::size_t parts, bool second) {
+  Grid grid;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    grid[axis].emplace_back(0);
+    for (std::size_t i = 1; i < parts; ++i) {
+      // Shifted by up to a fifth of a part: steps of the golden ratio, in 1024ths.
+      const auto turn = static_cast<long>((i * 633 + axis * 217 + (second ? 391 : 58)) % 1024);
+      const Rational shift = Rational((turn - 512) * 2 / 5) / Rational(1024);
+      grid[axis].push_back((Rational(static_cast<long>(i)) + shift) / Rational(static_cast<long>(parts)));
+    }
+    grid[axis].emplace_back(1);
+  }
+  return grid;
+}
+
+/// A part of the patch between neighbouring lines.
+struct Part {
+  bridge::ParameterRectangle rectangle;
+  symbolic::SurfacePiece piece;
+  std::optional<PreparedNet> net;
+  /// Around its control points.
+  std::array<double, 3> lower{};
+  std::array<double, 3> upper{};
+};
+
+bool touch(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return false;
+  return true;
+}
+
+bool apart(const Part& a, const Part& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return true;
+  return false;
+}
+
+bridge::ParameterRectangle hull(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
+  bridge::ParameterRectangle result;
+  for (std::size_t k = 0; k < 2; ++k) {
+    result.lower[k] = std::min(a.lower[k], b.lower[k]);
+    result.upper[k] = std::max(a.upper[k], b.upper[k]);
+  }
+  return result;
+}
+
+std::vector<bridge::ParameterRectangle> rectangles_of(const Grid& grid) {
+  std::vector<bridge::ParameterRectangle> result;
+  for (std::size_t i = 0; i + 1 < grid[0].size(); ++i)
+    for (std::size_t j = 0; j + 1 < grid[1].size(); ++j)
+      result.push_back(
+          {{nearest(grid[0][i]), nearest(grid[1][j])}, {nearest(grid[0][i + 1]), nearest(grid[1][j + 1])}});
+  return result;
+}
+
+class PatchWithItself {
+ public:
+  PatchWithItself(const symbolic::SurfacePiece& patch, const Options& options, const Context& context)
+      : patch_(patch), net_(prepared_patch(patch, "")), options_(options), context_(context) {}
+
+  SurfaceResult run() && {
+    const auto start = std::chrono::steady_clock::now();
+    result_.problem = "self_intersection";
+    result_.engine.method = "subdivision";
+    result_.engine.precision_bits = 53;
+    result_.status = Status::numeric;
+    const auto rounded = net_.rounded(net_.origin());
+    if (!rounded) {
+      result_.warnings.push_back("coordinates are beyond the range in which hardware doubles are safe");
+    } else {
+      result_.status = Status::certified;
+      choose_grids(*rounded);
+      intersect_parts();
+      finish();
+    }
+    result_.seconds.emplace_back("total",
+                                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    return std::move(result_);
+  }
+
+ private:
+  /// Parts that touch must have injective hulls: then all double points are between parts that do not touch.
+  void choose_grids(const bridge::ControlNet& net) {
+    constexpr std::size_t most_parts = 32;
+    for (std::size_t parts = 1; parts <= most_parts; parts *= 2) {
+      first_grid_ = grid_of(parts, false);
+      second_grid_ = grid_of(parts, true);
+      folded_.clear();
+      const auto first = rectangles_of(first_grid_);
+      const auto second = rectangles_of(second_grid_);
+      for (const bridge::ParameterRectangle& a : first)
+        for (const bridge::ParameterRectangle& b : second) {
+          if (!touch(a, b) || bridge::is_injective_on(net, hull(a, b))) continue;
+          const bridge::ParameterRectangle h = hull(a, b);
+          folded_.push_back(
+              {{h.lower[0], h.lower[1], h.lower[0], h.lower[1]}, {h.upper[0], h.upper[1], h.upper[0], h.upper[1]}});
+        }
+      if (folded_.empty()) return;
+      context_.checkpoint("looking for parts without self-intersection");
+    }
+  }
+
+  std::vector<Part> parts_of(const Grid& grid) const {
+    std::vector<Part> parts;
+    const auto rectangles = rectangles_of(grid);
+    const auto place = [&](std::size_t axis, const Rational& local) {
+      const symbolic::Interval& side = patch_.region->sides[axis];
+      return side.lower + local * (side.upper - side.lower);
+    };
+    for (std::size_t i = 0; i + 1 < grid[0].size(); ++i)
+      for (std::size_t j = 0; j + 1 < grid[1].size(); ++j) {
+        symbolic::SurfacePiece piece = patch_;
+        piece.region->sides[0] = {place(0, grid[0][i]), place(0, grid[0][i + 1])};
+        piece.region->sides[1] = {place(1, grid[1][j]), place(1, grid[1][j + 1])};
+        Part part{rectangles[parts.size()], piece, prepared_patch(piece, ""), {}, {}};
+        part.lower.fill(INFINITY);
+        part.upper.fill(-INFINITY);
+        for (const bridge::ExactPoint& point : part.net->exact.points)
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double x = point[3].sign() > 0 ? nearest(point[k] / point[3]) : NAN;
+            const double slack = 1e-12 * std::fabs(x);
+            part.lower[k] = std::min(part.lower[k], x - slack);
+            part.upper[k] = std::max(part.upper[k], x + slack);
+          }
+        parts.push_back(std::move(part));
+      }
+    return parts;
+  }
+
+  void intersect_parts() {
+    const std::vector<Part> first = parts_of(first_grid_);
+    const std::vector<Part> second = parts_of(second_grid_);
+    const double tolerance = options_.tolerance * size_of(net_);
+    for (const Part& a : first)
+      for (const Part& b : second) {
+        if (touch(a.rectangle, b.rectangle) || apart(a, b)) continue;
+        append(result_, intersect_patches(*a.net, *b.net, tolerance, context_));
+      }
+  }
+
+  void finish() {
+    DomainBounds bounds;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const symbolic::Interval& side = patch_.region->sides[k % 2];
+      bounds[k] = {nearest(side.lower), nearest(side.upper)};
+    }
+    join_branches(result_, bounds);
+    remove_mirror_images(result_);
+    for (const bridge::CellBox& box : clusters_of(folded_)) add_fold(box);
+    summarise(result_);
+  }
+
+  void add_fold(const bridge::CellBox& box) {
+    SurfaceSingularPoint point;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const symbolic::Interval& side = patch_.region->sides[k % 2];
+      const double lower = nearest(side.lower);
+      const double width = nearest(side.upper) - lower;
+      point.at.parameters[k] = lower + width * 0.5 * (box.lower[k] + box.upper[k]);
+      point.radius = std::max(point.radius, 0.5 * width * (box.upper[k] - box.lower[k]));
+    }
+    const auto value = patch_.map.at({rational(point.at.parameters[0]), rational(point.at.parameters[1])});
+    for (std::size_t k = 0; k < 3; ++k) point.at.point[k] = value[3].is_zero() ? NAN : nearest(value[k] / value[3]);
+    point.reason =
+        "the surface turns so much within the radius that it may meet itself there: a pinch point or an edge";
+    result_.singular_points.push_back(std::move(point));
+    result_.status = Status::numeric;
+  }
+
+  static Rational rational(double x) {
+    Rational result;
+    bridge::RealBall ball;
+    arb_set_d(ball.get(), x);
+    arf_get_fmpq(result.get(), arb_midref(ball.get()));
+    return result;
+  }
+
+  const symbolic::SurfacePiece& patch_;
+  PreparedNet net_;
+  const Options& options_;
+  const Context& context_;
+  Grid first_grid_;
+  Grid second_grid_;
+  /// Hulls of parts that touch and are not known to be injective, as boxes of pairs of parameters.
+  std::vector<bridge::CellBox> folded_;
+  SurfaceResult result_;
+};
+
+}  // namespace
+
+SurfaceResult intersect_patch_with_itself(const symbolic::SurfacePiece& patch, const Options& options,
+                                          const Context& context) {
+  return PatchWithItself(patch, options, context).run();
+}
+
+}  // namespace eliminant::intersect
