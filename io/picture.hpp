@@ -41,6 +41,10 @@ struct PicturePanel {
   std::optional<std::array<std::array<double, 2>, 2>> border;
   /// One unit is as long in both directions.
   bool equal_scales = false;
+  /// The axes are whole projective lines, infinity at both ends, drawn on the scale of the angle arctan x.
+  bool projective = false;
+  /// Curves run to infinity: what is shown is where most of the points are.
+  bool unbounded = false;
   /// Space seen from the direction (1, 1, 1), see `seen_from_diagonal`: without ticks.
   bool space = false;
   std::vector<PictureCurve> curves;

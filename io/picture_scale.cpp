@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 
 namespace eliminant::io {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 // Around a middle; never empty.
 PictureRange around(double lower, double upper, double margin) {
@@ -18,19 +23,20 @@ PictureRange around(double lower, double upper, double margin) {
   return {middle - half, middle + half};
 }
 
-// The range of numbers without the few that are far away from the others.
+PictureRange all_of(const std::vector<double>& values) {
+  if (values.empty()) return {-1, 1};
+  const auto [lower, upper] = std::minmax_element(values.begin(), values.end());
+  return around(*lower, *upper, 0.06);
+}
+
+// The range of numbers without those that are far away from the middle half of them.
 PictureRange most_of(std::vector<double> values) {
   if (values.empty()) return {-1, 1};
   std::sort(values.begin(), values.end());
-  const auto quantile = [&](double share) {
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-  };
-  const double low = quantile(0.1);
-  const double high = quantile(0.9);
-  constexpr double far = 3;
+  const double low = values[values.size() / 4];
+  const double high = values[(3 * values.size() - 1) / 4];
+  constexpr double far = 2;
   const double spread = high - low;
-  // Points that agree have no scale of their own.
-  if (spread <= 0) return around(values.front(), values.back(), 0.1);
   return around(std::max(values.front(), low - far * spread), std::min(values.back(), high + far * spread), 0.06);
 }
 
@@ -50,9 +56,14 @@ std::vector<double> coordinates(const PicturePanel& panel, std::size_t axis) {
 
 std::array<PictureRange, 2> view_of(const PicturePanel& panel) {
   std::array<PictureRange, 2> view;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    view[axis] = panel.border ? around((*panel.border)[axis][0], (*panel.border)[axis][1], 0.08)
-                              : most_of(coordinates(panel, axis));
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (panel.projective)
+      view[axis] = around(-1, 1, 0.08);
+    else if (panel.border)
+      view[axis] = around((*panel.border)[axis][0], (*panel.border)[axis][1], 0.08);
+    else
+      view[axis] = panel.unbounded ? most_of(coordinates(panel, axis)) : all_of(coordinates(panel, axis));
+  }
   const auto length = [&](std::size_t axis) { return view[axis].upper - view[axis].lower; };
   const double longer = std::max(length(0), length(1));
   // Very flat panels would show nothing with equal scales, unless they are a view of space.
@@ -64,18 +75,44 @@ std::array<PictureRange, 2> view_of(const PicturePanel& panel) {
   return view;
 }
 
-std::vector<double> ticks_in(const PictureRange& range) {
+double drawn(const PicturePanel& panel, double coordinate) {
+  return panel.projective ? 2 / std::numbers::pi * std::atan(coordinate) : coordinate;
+}
+
+std::vector<std::array<double, 2>> drawn(const PicturePanel& panel, const PictureCurve& curve) {
+  if (!panel.projective) return curve.points;
+  std::vector<std::array<double, 2>> points;
+  for (const auto& [x, y] : curve.points) {
+    const std::array<double, 2> point{drawn(panel, x), drawn(panel, y)};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      // More than half of the line is farther than the other way round.
+      if (points.empty() || !(std::fabs(points.back()[axis] - point[axis]) > 1)) continue;
+      std::array<double, 2> leaving = points.back();
+      leaving[axis] = std::copysign(1, leaving[axis]);
+      std::array<double, 2> entering = leaving;
+      entering[axis] = -leaving[axis];
+      points.insert(points.end(), {leaving, {nothing, nothing}, entering});
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<PictureTick> ticks_in(const PicturePanel& panel, const PictureRange& range) {
+  std::vector<PictureTick> ticks;
+  if (panel.projective) {
+    for (const double value : {-infinity, -3.0, -1.0, -0.4, 0.0, 0.4, 1.0, 3.0, infinity})
+      ticks.push_back({drawn(panel, value), std::isinf(value) ? "\u221e" : fmt::format("{:g}", value)});
+    return ticks;
+  }
   const double raw = (range.upper - range.lower) / 6;
   const double power = std::pow(10, std::floor(std::log10(raw)));
   double step = 10 * power;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * power >= raw) step = factor * power;
-  std::vector<double> ticks;
   for (double i = std::ceil(range.lower / step); i * step <= range.upper && ticks.size() < 12; ++i)
-    ticks.push_back(i * step);
+    ticks.push_back({i * step, fmt::format("{:.6g}", i == 0 ? 0.0 : i * step)});
   return ticks;
 }
-
-std::string tick_text(double tick) { return fmt::format("{:.6g}", tick == 0 ? 0.0 : tick); }
 
 }  // namespace eliminant::io

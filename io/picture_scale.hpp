@@ -16,13 +16,24 @@ struct PictureRange {
   bool contains(double x) const { return lower <= x && x <= upper; }
 };
 
-/// What of the plane of a panel is shown: its border and a little more. Without one everything, or, where some points
-/// are far away from most of them, where most of them are.
+/// A tick, where it is drawn and how it is named.
+struct PictureTick {
+  double at = 0;
+  std::string name;
+};
+
+/// What of the plane of a panel is shown, in drawn coordinates: its border and a little more, or everything; of an
+/// unbounded one where most of the points are.
 std::array<PictureRange, 2> view_of(const PicturePanel& panel);
 
-/// Round numbers inside the range, about five of them.
-std::vector<double> ticks_in(const PictureRange& range);
+/// A coordinate as it is drawn: of a projective panel from -1 to 1, else itself.
+double drawn(const PicturePanel& panel, double coordinate);
 
-std::string tick_text(double tick);
+/// The points of a curve as they are drawn. Of a projective panel the curve is cut where it runs through infinity, by a
+/// point that is not finite.
+std::vector<std::array<double, 2>> drawn(const PicturePanel& panel, const PictureCurve& curve);
+
+/// About five round numbers inside the range; of a projective panel always the same.
+std::vector<PictureTick> ticks_in(const PicturePanel& panel, const PictureRange& range);
 
 }  // namespace eliminant::io

@@ -70,7 +70,10 @@ void draw_topology(Picture& picture, const JsonValue& result) {
     const std::string type = text_in(vertex.find("type"));
     table.rows.push_back({std::to_string(i), kind, type, text_in(vertex.find("x")), text_in(vertex.find("y")),
                           text_in(vertex.find("radius")), yes_or_no(vertex.find("certified"))});
-    if (kind == "infinity") continue;
+    if (kind == "infinity") {
+      panel.unbounded = true;
+      continue;
+    }
     const bool singular = kind == "singular";
     const PictureShape shape = singular           ? shape_of_vertex(type)
                                : kind == "border" ? PictureShape::ring

@@ -73,6 +73,7 @@ class SurfacePicture {
     space.title = "In space";
     space.axes = {"", ""};
     space.equal_scales = space.space = true;
+    for (const PicturePanel& panel : picture_.panels) space.unbounded = space.unbounded || panel.projective;
   }
 
   void draw() {
@@ -122,6 +123,7 @@ class SurfacePicture {
       panel.axes[i] =
           planes_.back().dashed ? std::string(plane.names[i]) + ", " + planes_.back().names[i] : plane.names[i];
     panel.border = domain(plane);
+    panel.projective = !panel.border;
   }
 
   PicturePanel& space() { return picture_.panels.back(); }

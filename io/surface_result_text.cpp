@@ -67,12 +67,12 @@ std::string projection_text(const SurfaceResult& result, bool equation) {
       "\nEliminant D(" + variables[0] + ", " + variables[1] + "): " + size_text(eliminant.divisor) + "\n";
   if (eliminant.vanishing != symbolic::DeterminantVanishing::no)
     text += "The determinant vanishes: " + std::string(explanation(eliminant.vanishing)) + "\n";
-  Rows rows{{"factor", "multiplicity", "above it"}};
+  Rows rows{{"multiplicity", "factor, and what is above it"}};
   for (const symbolic::EliminantComponent& component : eliminant.components)
-    rows.push_back({equation ? symbolic::to_string(component.factor, variables) : size_text(component.factor),
-                    std::to_string(component.multiplicity),
-                    std::string(explanation(component.kind)) + (component.proven ? "" : " (not proven)")});
-  if (rows.size() > 1) text += text_table(rows, {false, true, false});
+    rows.push_back({std::to_string(component.multiplicity),
+                    (equation ? symbolic::to_string(component.factor, variables) : size_text(component.factor)) + ": " +
+                        std::string(explanation(component.kind)) + (component.proven ? "" : " (not proven)")});
+  if (rows.size() > 1) text += text_table(rows, {true, false});
   if (equation) text += "\nD = " + symbolic::to_string(eliminant.divisor, variables) + "\n";
   return text;
 }

@@ -90,16 +90,21 @@ class PanelDrawing {
                               "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
     out += fmt::format("<clipPath id=\"plot{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n",
                        index_, left_, panel_top, plot_size, plot_size);
-    out += rectangle(left_, panel_top, plot_size, plot_size, panel_.border ? "fill=\"#eeeeee\"" : "fill=\"#fafafa\"");
-    if (panel_.border) out += border("fill=\"#ffffff\"");
+    const bool bordered = panel_.border || panel_.projective;
+    out += rectangle(left_, panel_top, plot_size, plot_size, bordered ? "fill=\"#eeeeee\"" : "fill=\"#fafafa\"");
+    if (bordered) out += border("fill=\"#ffffff\"");
     out += panel_.space ? axes_in_space() : ticks();
-    if (panel_.border) out += border("fill=\"none\" stroke=\"#555555\" stroke-width=\"1.4\"");
+    if (bordered)
+      out += border(std::string("fill=\"none\" stroke=\"#555555\" stroke-width=\"1.4\"") +
+                    (panel_.projective ? " stroke-dasharray=\"3 3\"" : ""));
     out += fmt::format("<g clip-path=\"url(#plot{})\">\n", index_);
     for (const PictureCurve& curve : panel_.curves) out += curve_path(curve);
     out += "</g>\n";
     out += rectangle(left_, panel_top, plot_size, plot_size, "fill=\"none\" stroke=\"#999999\"");
-    for (const PictureMark& mark : panel_.marks)
-      if (is_inside(mark.at)) out += mark_at(x_of(mark.at[0]), y_of(mark.at[1]), mark.shape, mark.color, mark.title);
+    for (const PictureMark& mark : panel_.marks) {
+      const std::array<double, 2> at{drawn(panel_, mark.at[0]), drawn(panel_, mark.at[1])};
+      if (is_inside(at)) out += mark_at(x_of(at[0]), y_of(at[1]), mark.shape, mark.color, mark.title);
+    }
     return out;
   }
 
@@ -118,7 +123,8 @@ class PanelDrawing {
   }
 
   std::string border(const std::string& attributes) const {
-    const auto& [x, y] = *panel_.border;
+    constexpr std::array<double, 2> line{-1, 1};
+    const auto [x, y] = panel_.border ? *panel_.border : std::array{line, line};
     return rectangle(x_of(x[0]), y_of(y[1]), x_of(x[1]) - x_of(x[0]), y_of(y[0]) - y_of(y[1]), attributes);
   }
 
@@ -127,15 +133,15 @@ class PanelDrawing {
     const double right = left_ + plot_size;
     const double bottom = panel_top + plot_size;
     std::string out;
-    for (const double tick : ticks_in(view_[0])) {
-      const double x = x_of(tick);
+    for (const PictureTick& tick : ticks_in(panel_, view_[0])) {
+      const double x = x_of(tick.at);
       out += fmt::format(line, x, panel_top, x, bottom);
-      out += text_at(x, bottom + 17, tick_text(tick), "text-anchor=\"middle\" fill=\"#555555\"");
+      out += text_at(x, bottom + 17, tick.name, "text-anchor=\"middle\" fill=\"#555555\"");
     }
-    for (const double tick : ticks_in(view_[1])) {
-      const double y = y_of(tick);
+    for (const PictureTick& tick : ticks_in(panel_, view_[1])) {
+      const double y = y_of(tick.at);
       out += fmt::format(line, left_, y, right, y);
-      out += text_at(left_ - 7, y + 4, tick_text(tick), "text-anchor=\"end\" fill=\"#555555\"");
+      out += text_at(left_ - 7, y + 4, tick.name, "text-anchor=\"end\" fill=\"#555555\"");
     }
     const std::string name = "text-anchor=\"middle\" font-size=\"15\" font-style=\"italic\"";
     out += text_at(left_ + plot_size / 2, bottom + 38, panel_.axes[0], name);
@@ -161,26 +167,27 @@ class PanelDrawing {
   }
 
   std::string curve_path(const PictureCurve& curve) const {
+    const std::vector<std::array<double, 2>> points = drawn(panel_, curve);
     std::string path;
-    std::array<double, 2> drawn{};
+    std::array<double, 2> last{};
     bool pen_down = false;
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      const auto& point = curve.points[i];
-      if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || (i > 0 && is_jump(curve.points[i - 1], point)))
-        pen_down = false;
-      if (!std::isfinite(point[0]) || !std::isfinite(point[1])) continue;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool finite = std::isfinite(points[i][0]) && std::isfinite(points[i][1]);
+      if (!finite || (i > 0 && is_jump(points[i - 1], points[i]))) pen_down = false;
+      if (!finite) continue;
       // Far outside the numbers would be longer than useful.
-      const std::array<double, 2> at{std::clamp(x_of(point[0]), -1e5, 1e5), std::clamp(y_of(point[1]), -1e5, 1e5)};
-      const bool near = std::hypot(at[0] - drawn[0], at[1] - drawn[1]) < 0.3;
-      if (pen_down && near && i + 1 < curve.points.size()) continue;
+      const std::array<double, 2> at{std::clamp(x_of(points[i][0]), -1e5, 1e5),
+                                     std::clamp(y_of(points[i][1]), -1e5, 1e5)};
+      const bool near = std::hypot(at[0] - last[0], at[1] - last[1]) < 0.3;
+      if (pen_down && near && i + 1 < points.size()) continue;
       path += fmt::format("{}{:.2f} {:.2f}", pen_down ? 'L' : 'M', at[0], at[1]);
-      drawn = at;
+      last = at;
       pen_down = true;
     }
     if (path.empty()) return "";
     if (curve.area) path += "Z";
     const char* const color = color_of(curve.color);
-    const double tint = curve.area ? 0.3 : curve.closed ? 0.08 : 0;
+    const double tint = curve.area ? 0.3 : curve.closed && !panel_.projective ? 0.08 : 0;
     return fmt::format(
         "<path d=\"{}\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\"{}>"
         "<title>{}</title></path>\n",
@@ -188,7 +195,7 @@ class PanelDrawing {
         escaped(curve.title));
   }
 
-  // From one side of the view to the other, both far outside it: through infinity.
+  // From one side of the view to the other, both far outside it: through infinity in space.
   bool is_jump(const std::array<double, 2>& a, const std::array<double, 2>& b) const {
     for (std::size_t i = 0; i < 2; ++i) {
       const double size = view_[i].upper - view_[i].lower;

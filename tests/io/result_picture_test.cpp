@@ -80,6 +80,8 @@ TEST_CASE("Pictures: a self-intersection shows both preimages in one plane, an e
   const Picture itself = picture_of(test::with_itself(), {});
   REQUIRE(itself.panels.size() == 2);
   CHECK_FALSE(itself.panels[0].border);
+  CHECK(itself.panels[0].projective);
+  CHECK(itself.panels[1].unbounded);
   CHECK(itself.panels[0].axes == std::array<std::string, 2>{"u, s", "v, t"});
   REQUIRE(itself.panels[0].curves.size() == 2);
   CHECK_FALSE(itself.panels[0].curves[0].dashed);
@@ -168,7 +170,7 @@ TEST_CASE("Pictures: what is no result, or has no picture, is refused") {
   }
 }
 
-TEST_CASE("Pictures: the view holds the border, or most of the points") {
+TEST_CASE("Pictures: the view holds the border, everything, or most of what runs to infinity") {
   PicturePanel panel;
   panel.border = {{{0, 2}, {-1, 1}}};
   const auto bordered = view_of(panel);
@@ -179,21 +181,53 @@ TEST_CASE("Pictures: the view holds the border, or most of the points") {
   for (int i = 0; i <= 100; ++i) curve.points.push_back({i / 100.0, 1});
   curve.points.push_back({1e9, 1});
   curve.points.push_back({INFINITY, NAN});
-  const auto robust = view_of(panel);
-  CHECK((robust[0].contains(0) && robust[0].contains(1)));
-  CHECK_FALSE(robust[0].contains(10));
-  CHECK(robust[1].contains(1));
-  CHECK(robust[1].lower < robust[1].upper);
+  CHECK(view_of(panel)[0].contains(1e9));
+  panel.unbounded = true;
+  const auto most = view_of(panel);
+  CHECK((most[0].contains(0) && most[0].contains(1)));
+  CHECK_FALSE(most[0].contains(10));
+  CHECK(most[1].contains(1));
+  CHECK(most[1].lower < most[1].upper);
   const auto nothing = view_of({});
   CHECK(nothing[0].lower < nothing[0].upper);
 }
 
+TEST_CASE("Pictures: a projective line has infinity at both ends, and curves run through it") {
+  PicturePanel panel;
+  panel.projective = true;
+  CHECK(drawn(panel, 0) == 0);
+  CHECK(drawn(panel, 1) == doctest::Approx(0.5));
+  CHECK(drawn(panel, -INFINITY) == doctest::Approx(-1));
+  const auto view = view_of(panel);
+  CHECK((view[0].contains(-1) && view[0].contains(1)));
+  CHECK(ticks_in(panel, view[0]).front().name == "\u221e");
+  PictureCurve curve;
+  curve.points = {{1, 0}, {100, 0}, {-100, 0}, {-1, 0}};
+  const auto points = drawn(panel, curve);
+  REQUIRE(points.size() == 7);
+  CHECK(points[2] == std::array<double, 2>{1, 0});
+  CHECK(std::isnan(points[3][0]));
+  CHECK(points[4] == std::array<double, 2>{-1, 0});
+  // Infinity itself, reached from below zero.
+  curve.points = {{-100, 0}, {INFINITY, 0}, {100, 0}};
+  CHECK(drawn(panel, curve).size() == 6);
+  panel.projective = false;
+  CHECK(drawn(panel, curve) == curve.points);
+}
+
 TEST_CASE("Pictures: ticks are round numbers inside") {
-  CHECK(ticks_in({0, 1}) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
-  CHECK(ticks_in({-1, 5}) == std::vector<double>{-1, 0, 1, 2, 3, 4, 5});
-  CHECK(ticks_in({0, 1e6}).size() == 6);
-  CHECK(tick_text(0.6000000000000001) == "0.6");
-  CHECK(tick_text(-0.0) == "0");
+  const auto names = [](const PictureRange& range) {
+    std::vector<std::string> texts;
+    for (const PictureTick& tick : ticks_in({}, range)) texts.push_back(tick.name);
+    return texts;
+  };
+  CHECK(names({0, 1}) == std::vector<std::string>{"0", "0.2", "0.4", "0.6", "0.8", "1"});
+  CHECK(names({-1, 5}) == std::vector<std::string>{"-1", "0", "1", "2", "3", "4", "5"});
+  CHECK(names({-3e-7, 3e-7}) == std::vector<std::string>{"-3e-07", "-2e-07", "-1e-07", "0", "1e-07", "2e-07", "3e-07"});
+  CHECK(names({0, 1e6}).size() == 6);
+}
+
+TEST_CASE("Pictures: space is seen along its diagonal") {
   const std::array<double, 2> z = seen_from_diagonal({0, 0, 1});
   CHECK(z[0] == 0);
   CHECK(z[1] > 0);
