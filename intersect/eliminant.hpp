@@ -14,4 +14,5 @@
 #include <eliminant/intersect/result.hpp>
 #include <eliminant/intersect/self_intersection.hpp>
 #include <eliminant/intersect/surface_representation.hpp>
+#include <eliminant/intersect/surface_surface.hpp>
 #include <eliminant/version.hpp>

@@ -79,7 +79,8 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
   if (is_bounded(*first) && is_bounded(*second)) {
     result.status = Status::certified;
     for (const SurfacePiece& a : first->pieces)
-      for (const SurfacePiece& b : second->pieces) append(result, intersect_patches(a, b, tracing, context));
+      for (const SurfacePiece& b : second->pieces)
+        if (!result.limit) append(result, intersect_patches(a, b, tracing, context));
   } else if (!is_bounded(*first) && !is_bounded(*second)) {
     result = intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, tracing, context);
   } else {
@@ -98,9 +99,9 @@ SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem
   SurfaceResult result;
   if (is_bounded(problem.surface)) {
     result.status = Status::certified;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t i = 0; i < pieces.size() && !result.limit; ++i) {
       append(result, intersect_patch_with_itself(pieces[i], tracing, context));
-      for (std::size_t j = i + 1; j < pieces.size(); ++j)
+      for (std::size_t j = i + 1; j < pieces.size() && !result.limit; ++j)
         append(result, intersect_patches(pieces[i], pieces[j], tracing, context));
     }
   } else {

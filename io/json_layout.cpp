@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace eliminant::io {
 
 namespace {
@@ -11,10 +13,13 @@ using Json = nlohmann::ordered_json;
 
 std::string quoted(const std::string& text) { return Json(text).dump(); }
 
-void write_line(const Json& value, std::string& out) {
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
+// Gives up, and returns false, when `out` is longer than `limit`.
+bool write_line(const Json& value, std::size_t limit, std::string& out) {
   if (!value.is_structured()) {
     out += value.dump();
-    return;
+    return out.size() <= limit;
   }
   out += value.is_object() ? '{' : '[';
   bool first = true;
@@ -22,16 +27,18 @@ void write_line(const Json& value, std::string& out) {
     if (!first) out += ", ";
     first = false;
     if (value.is_object()) out += quoted(key) + ": ";
-    write_line(element, out);
+    if (!write_line(element, limit, out)) return false;
   }
   out += value.is_object() ? '}' : ']';
+  return out.size() <= limit;
 }
 
 void write(const Json& value, std::size_t width, std::size_t indent, std::string& out) {
-  std::string line;
-  write_line(value, line);
   // The outermost value is always broken: its fields are what people look for.
-  if (!value.is_structured() || value.empty() || (indent > 0 && indent + line.size() <= width)) {
+  const bool breakable = value.is_structured() && !value.empty();
+  const std::size_t limit = !breakable ? unlimited : indent > 0 && indent < width ? width - indent : 0;
+  std::string line;
+  if (limit > 0 && write_line(value, limit, line)) {
     out += line;
     return;
   }
@@ -59,7 +66,7 @@ std::string json_layout(const nlohmann::ordered_json& value, std::size_t width) 
 
 std::string json_line(const nlohmann::ordered_json& value) {
   std::string out;
-  write_line(value, out);
+  write_line(value, unlimited, out);
   return out;
 }
 
