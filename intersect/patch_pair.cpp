@@ -54,7 +54,15 @@ class PatchPair {
     const auto start = std::chrono::steady_clock::now();
     result_.engine.method = "subdivision";
     result_.engine.precision_bits = 53;
-    if (prepare()) solve();
+    if (prepare()) {
+      try {
+        solve();
+      } catch (const LimitReached& limit) {
+        summarise(result_);
+        result_.status = Status::incomplete;
+        result_.limit = limit.what();
+      }
+    }
     result_.seconds.emplace_back("total",
                                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     return std::move(result_);

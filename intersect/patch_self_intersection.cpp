@@ -165,7 +165,7 @@ class PatchWithItself {
     const double tolerance = options_.tolerance * size_of(net_);
     for (const Part& a : first)
       for (const Part& b : second) {
-        if (touch(a.rectangle, b.rectangle) || apart(a, b)) continue;
+        if (touch(a.rectangle, b.rectangle) || apart(a, b) || result_.limit) continue;
         append(result_, intersect_patches(*a.net, *b.net, tolerance, context_));
       }
   }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
+#include <vector>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/branch_spline.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
+#include <eliminant/intersect/surface_charts.hpp>
 #include <eliminant/intersect/whole_surfaces.hpp>
 
 namespace eliminant::intersect {
@@ -26,9 +28,24 @@ void require_tensor_product(const ParametricSurface& surface) {
                        "two parameters");
 }
 
-bool is_bounded(const ParametricSurface& surface) {
-  return std::all_of(surface.pieces.begin(), surface.pieces.end(),
-                     [](const SurfacePiece& piece) { return piece.region.has_value(); });
+bool is_whole(const ParametricSurface& surface) { return !surface.pieces.front().region; }
+
+/// Every part of the first with every part of the second.
+SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricSurface& second, const Options& options,
+                               const Context& context) {
+  SurfaceResult result;
+  result.status = Status::certified;
+  const std::vector<SurfaceChart> others = surface_charts(second);
+  for (const SurfaceChart& a : surface_charts(first))
+    for (const SurfaceChart& b : others) {
+      if (result.limit) break;
+      SurfaceResult part = intersect_patches(a.piece, b.piece, options, context);
+      to_surface_parameters(part, a, b);
+      append(result, std::move(part));
+    }
+  join_branches(result, domain_bounds(first, second));
+  summarise(result);
+  return result;
 }
 
 double extent(const SurfaceResult& result) {
@@ -75,17 +92,10 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
   require_tensor_product(*first);
   require_tensor_product(*second);
   const Options tracing = tracing_options(options);
-  SurfaceResult result;
-  if (is_bounded(*first) && is_bounded(*second)) {
-    result.status = Status::certified;
-    for (const SurfacePiece& a : first->pieces)
-      for (const SurfacePiece& b : second->pieces)
-        if (!result.limit) append(result, intersect_patches(a, b, tracing, context));
-  } else if (!is_bounded(*first) && !is_bounded(*second)) {
-    result = intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, tracing, context);
-  } else {
-    throw InvalidInput("one surface has a domain and the other one has none", "a domain for both surfaces, or none");
-  }
+  SurfaceResult result =
+      is_whole(*first) && is_whole(*second)
+          ? intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, tracing, context)
+          : intersect_charts(*first, *second, tracing, context);
   result.problem = "surface_surface";
   fit_splines(result, options);
   return result;
@@ -96,17 +106,11 @@ SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem
   const auto& pieces = problem.surface.pieces;
   require_tensor_product(problem.surface);
   const Options tracing = tracing_options(options);
-  SurfaceResult result;
-  if (is_bounded(problem.surface)) {
-    result.status = Status::certified;
-    for (std::size_t i = 0; i < pieces.size() && !result.limit; ++i) {
-      append(result, intersect_patch_with_itself(pieces[i], tracing, context));
-      for (std::size_t j = i + 1; j < pieces.size() && !result.limit; ++j)
-        append(result, intersect_patches(pieces[i], pieces[j], tracing, context));
-    }
-  } else {
-    result = intersect_whole_surface_with_itself(pieces.front().map, tracing, context);
-  }
+  if (pieces.size() != 1)
+    throw InvalidInput("the self-intersection of a surface of several pieces is not computed yet", "one patch");
+  SurfaceResult result = is_whole(problem.surface)
+                             ? intersect_whole_surface_with_itself(pieces.front().map, tracing, context)
+                             : intersect_patch_with_itself(pieces.front(), tracing, context);
   result.problem = "self_intersection";
   fit_splines(result, options);
   return result;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <eliminant/intersect/branch_joining.hpp>
+#include <eliminant/intersect/surface_result.hpp>
+#include <eliminant/symbolic/geometry/rational_surface.hpp>
+
+namespace eliminant::intersect {
+
+/// A patch that is a part of a surface, and how its parameters become those of the surface.
+struct SurfaceChart {
+  symbolic::SurfacePiece piece;
+  /// The parameter of the surface is the inverse of the one of the patch.
+  std::array<bool, 2> inverted{};
+};
+
+/// Patches that make up the surface: its pieces; without domains the projective parameter lines are [-1, 1] and the
+/// inverse of [-1, 1], four patches.
+std::vector<SurfaceChart> surface_charts(const symbolic::ParametricSurface& surface);
+
+/// From the parameters of the charts to those of the surfaces.
+void to_surface_parameters(SurfaceResult& result, const SurfaceChart& first, const SurfaceChart& second);
+
+/// The hull of the domains of all pieces; nothing of a surface without domains.
+DomainBounds domain_bounds(const symbolic::ParametricSurface& first, const symbolic::ParametricSurface& second);
+
+}  // namespace eliminant::intersect
