@@ -10,7 +10,7 @@
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/branch_spline.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
-#include <eliminant/intersect/surface_charts.hpp>
+#include <eliminant/intersect/projective_charts.hpp>
 #include <eliminant/intersect/whole_surfaces.hpp>
 
 namespace eliminant::intersect {
@@ -35,9 +35,9 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
                                const Context& context) {
   SurfaceResult result;
   result.status = Status::certified;
-  const std::vector<SurfaceChart> others = surface_charts(second);
-  for (const SurfaceChart& a : surface_charts(first))
-    for (const SurfaceChart& b : others) {
+  const std::vector<ProjectiveChart> others = projective_charts(second);
+  for (const ProjectiveChart& a : projective_charts(first))
+    for (const ProjectiveChart& b : others) {
       if (result.limit) break;
       SurfaceResult part = intersect_patches(a.piece, b.piece, options, context);
       to_surface_parameters(part, a, b);

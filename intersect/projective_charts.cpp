@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <eliminant/intersect/surface_charts.hpp>
+#include <eliminant/intersect/projective_charts.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -31,8 +31,8 @@ double nearest(const symbolic::Rational& value) {
 
 }  // namespace
 
-std::vector<SurfaceChart> surface_charts(const symbolic::ParametricSurface& surface) {
-  std::vector<SurfaceChart> charts;
+std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface) {
+  std::vector<ProjectiveChart> charts;
   const symbolic::Interval side{symbolic::Rational(-1), symbolic::Rational(1)};
   for (const SurfacePiece& piece : surface.pieces) {
     if (piece.region) {
@@ -54,7 +54,7 @@ std::vector<SurfaceChart> surface_charts(const symbolic::ParametricSurface& surf
   return charts;
 }
 
-void to_surface_parameters(SurfaceResult& result, const SurfaceChart& first, const SurfaceChart& second) {
+void to_surface_parameters(SurfaceResult& result, const ProjectiveChart& first, const ProjectiveChart& second) {
   const auto map_back = [&](SurfacePoint& point) {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!(k < 2 ? first : second).inverted[k % 2]) continue;

@@ -11,7 +11,7 @@
 namespace eliminant::intersect {
 
 /// A patch that is a part of a surface, and how its parameters become those of the surface.
-struct SurfaceChart {
+struct ProjectiveChart {
   symbolic::SurfacePiece piece;
   /// The parameter of the surface is the inverse of the one of the patch.
   std::array<bool, 2> inverted{};
@@ -19,10 +19,10 @@ struct SurfaceChart {
 
 /// Patches that make up the surface: its pieces; without domains the projective parameter lines are [-1, 1] and the
 /// inverse of [-1, 1], four patches.
-std::vector<SurfaceChart> surface_charts(const symbolic::ParametricSurface& surface);
+std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface);
 
 /// From the parameters of the charts to those of the surfaces.
-void to_surface_parameters(SurfaceResult& result, const SurfaceChart& first, const SurfaceChart& second);
+void to_surface_parameters(SurfaceResult& result, const ProjectiveChart& first, const ProjectiveChart& second);
 
 /// The hull of the domains of all pieces; nothing of a surface without domains.
 DomainBounds domain_bounds(const symbolic::ParametricSurface& first, const symbolic::ParametricSurface& second);
