@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/whole_curve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <eliminant/bridge/krawczyk_system.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+/// Points farther away, compared with the size of the curve, are not drawn.
+constexpr double drawn_reach = 100;
+
+/// The topology is asked for boxes with fewer digits than doubles have: a zero proven nearby then surely lies inside.
+Options topology_options(const Options& options) {
+  Options result = options;
+  result.digits = 12;
+  result.engine = Engine::automatic;
+  result.certify = true;
+  return result;
+}
+
+}  // namespace
+
+WholeCurve::WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve, const Options& options,
+                       const Context& context)
+    : surfaces_(surfaces),
+      options_(options),
+      context_(context),
+      pair_(surfaces.first, surfaces.second),
+      matrix_(surfaces.first, surfaces.second),
+      arcs_(curve, topology_options(options), context),
+      lifts_(pair_, matrix_, surfaces.with_itself),
+      weights_(weight_factors(surfaces.first, surfaces.second, options.seed)) {}
+
+void WholeCurve::doubt(SurfaceResult& result, const std::string& reason) {
+  proven_ = false;
+  if (std::find(result.warnings.begin(), result.warnings.end(), reason) == result.warnings.end())
+    result.warnings.push_back(reason);
+}
+
+bool WholeCurve::find(SurfaceResult& result) {
+  if (arcs_.topology().status != Status::certified)
+    doubt(result, "the topology of the projection is not proven");
+  trace_all(result);
+  finish_vertices(result);
+  return proven_;
+}
+
+void WholeCurve::trace_all(SurfaceResult& result) {
+  double size = 0;
+  std::vector<std::size_t> seedless;
+  for (std::size_t arc = 0; arc < arcs_.arcs().size(); ++arc) {
+    std::optional<BranchSeed> seed;
+    for (const double share : {0.5, 0.4, 0.6, 0.25, 0.75})
+      if (!seed) seed = arcs_.seed_above(pair_, arc, share, context_);
+    if (!seed) {
+      seedless.push_back(arc);
+      continue;
+    }
+    for (const DoubleInterval& x : pair_.point(seed->point.inverted, seed->point.box))
+      if (x.is_finite()) size = std::max(size, std::fabs(middle(x)));
+    seeds_.push_back(*std::move(seed));
+  }
+  if (!seedless.empty())
+    doubt(result, "no point was proven above " + std::to_string(seedless.size()) + " arcs of the projection");
+  limits_.size = size > 0 ? size : 1;
+  limits_.tolerance = std::max(options_.tolerance, 1e-4);
+  visits_.assign(seeds_.size(), 0);
+  for (std::size_t seed = 0; seed < seeds_.size(); ++seed)
+    if (visits_[seed] == 0) trace_from(seed, result);
+  if (std::any_of(visits_.begin(), visits_.end(), [](std::size_t visits) { return visits != 1; }))
+    doubt(result, "an arc was traced more than once");
+}
+
+void WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
+  const BranchTracer tracer(pair_, seeds_, weights_, limits_, context_);
+  TracedBranch forward = tracer.trace(seed, true);
+  TracedBranch backward;
+  ++visits_[seed];
+  for (const SeedPassage& passage : forward.passages)
+    if (passage.seed != seed) ++visits_[passage.seed];
+  Branch branch;
+  branch.closed = forward.closed;
+  if (!forward.closed) {
+    backward = tracer.trace(seed, false);
+    for (const SeedPassage& passage : backward.passages) ++visits_[passage.seed];
+    branch.ends = {arc_end(backward, seed, false), arc_end(forward, seed, true)};
+    for (std::size_t k = backward.segments.size(); k-- > 0;) {
+      const BranchSegment& segment = backward.segments[k];
+      branch.points.push_back(segment.end);
+      branch.errors.push_back(segment.error);
+      branch.crosses.push_back(segment.crosses_infinity);
+    }
+  }
+  branch.points.push_back(seeds_[seed].point);
+  for (const BranchSegment& segment : forward.segments) {
+    branch.points.push_back(segment.end);
+    branch.errors.push_back(segment.error);
+    branch.crosses.push_back(segment.crosses_infinity);
+  }
+  if (branch.closed) branch.points.back() = branch.points.front();
+  add_components(branch, result);
+}
+
+std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced, std::size_t seed,
+                                                      bool forward) const {
+  std::size_t last = seed;
+  std::size_t first_segment = 0;
+  if (!traced.passages.empty()) {
+    last = traced.passages.back().seed;
+    first_segment = traced.passages.back().segment;
+    forward = traced.passages.back().forward;
+  }
+  const BranchSeed& start = seeds_[last];
+  const ProjectedArc& arc = arcs_.arcs()[start.arc];
+  // As long as its parameter stays between the ends of the arc the branch stays above it, and on its side of the seed.
+  for (std::size_t k = first_segment; k < traced.segments.size(); ++k) {
+    const BranchTube& tube = traced.segments[k].tube;
+    const DoubleInterval& in_chart = tube.hull[start.axis];
+    const DoubleInterval at = tube.centre.inverted[start.axis] ? inverse(in_chart) : in_chart;
+    // Finite points do not reach an end at infinity of two polynomial surfaces.
+    const auto is_free = [&](std::size_t end) {
+      return !traced.segments[k].crosses_infinity && are_polynomial() &&
+             arcs_.topology().vertices[arc.ends[end]].kind == VertexKind::infinity;
+    };
+    if (!(arc.inside.lower < at.lower || is_free(0)) || !(at.upper < arc.inside.upper || is_free(1)))
+      return std::nullopt;
+  }
+  const bool increasing = forward != start.point.inverted[start.axis];
+  return ArcEnd{start.arc, increasing ? std::size_t{1} : std::size_t{0}};
+}
+
+bool WholeCurve::is_at_infinity(const TopologyVertex& vertex) const {
+  if (!are_polynomial()) return false;
+  // The coefficients of the highest powers of v and s, the points for v = inf and s = inf, are parallel.
+  const long n = surfaces_.first.bidegree()[1];
+  const long m = surfaces_.second.bidegree()[0];
+  if (n < 2 || m < 2) return false;
+  const auto leading = [](const symbolic::Polynomial& p, std::size_t eliminated, long degree) {
+    const auto hidden = symbolic::hide_variable(p, 1 - eliminated);
+    return hidden.degree() == degree ? hidden.leading_coefficient() : symbolic::UnivariatePolynomial();
+  };
+  std::array<std::array<symbolic::UnivariatePolynomial, 3>, 2> points;
+  for (std::size_t c = 0; c < 3; ++c) {
+    // Integer coefficients: no denominators that differ.
+    points[0][c] = leading(surfaces_.first.coordinates()[c], 1, n);
+    points[1][c] = leading(surfaces_.second.coordinates()[c], 0, m);
+  }
+  const auto evaluate = [](const symbolic::UnivariatePolynomial& p, const bridge::ComplexBall& at, long precision) {
+    bridge::ComplexBall result;
+    for (long i = p.degree(); i >= 0; --i) {
+      acb_mul(result.get(), result.get(), at.get(), precision);
+      acb_add_fmpz(result.get(), result.get(), p.coefficient(i).get(), precision);
+    }
+    return result;
+  };
+  const long precision = 160;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bridge::System system = [&](const std::vector<bridge::ComplexBall>& at, long bits) {
+      bridge::SystemValue value{{}, {}};
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (c == k) continue;
+        const auto product = [&](const auto& a, const auto& b, const auto& d, const auto& e) {
+          bridge::ComplexBall first = evaluate(a, at[0], bits);
+          const bridge::ComplexBall second = evaluate(b, at[1], bits);
+          bridge::ComplexBall third = evaluate(d, at[0], bits);
+          const bridge::ComplexBall fourth = evaluate(e, at[1], bits);
+          acb_mul(first.get(), first.get(), second.get(), bits);
+          acb_submul(first.get(), third.get(), fourth.get(), bits);
+          return first;
+        };
+        const auto& [a, b] = points;
+        value.values.push_back(product(a[k], b[c], a[c], b[k]));
+        value.jacobian.push_back({product(a[k].derivative(), b[c], a[c].derivative(), b[k]),
+                                  product(a[k], b[c].derivative(), a[c], b[k].derivative())});
+      }
+      return value;
+    };
+    const auto zero = bridge::enclose_system_zero(system, {vertex.x.ball, vertex.y.ball}, precision);
+    if (!zero) continue;
+    if (acb_contains_zero(evaluate(points[0][k], (*zero)[0], precision).get()) != 0) continue;
+    if (acb_contains_zero(evaluate(points[1][k], (*zero)[1], precision).get()) != 0) continue;
+    // The printed box holds one point with D = D_t = 0, and both sheets touch the plane at infinity here: it is that.
+    const double radius = std::pow(10.0, static_cast<double>(vertex.radius_exponent));
+    bool near = true;
+    for (const auto& [coordinate, ball] : {std::pair(&vertex.x, &(*zero)[0]), std::pair(&vertex.y, &(*zero)[1])}) {
+      bridge::ComplexBall distance;
+      acb_sub(distance.get(), ball->get(), coordinate->ball.get(), precision);
+      bridge::Magnitude bound;
+      acb_get_mag(bound.get(), distance.get());
+      near = near && mag_get_d(bound.get()) < radius / 4;
+    }
+    if (near) return true;
+  }
+  return false;
+}
+
+WholeCurve::VertexState& WholeCurve::state(std::size_t index, SurfaceResult& result) {
+  const auto [place, is_new] = states_.try_emplace(index);
+  VertexState& state = place->second;
+  if (!is_new) return state;
+  const TopologyVertex& vertex = arcs_.topology().vertices[index];
+  if (vertex.kind == VertexKind::infinity) {
+    state.at_infinity = are_polynomial();
+    return state;
+  }
+  state.at_infinity = is_at_infinity(vertex);
+  if (state.at_infinity) return state;
+  if (vertex.milnor_number == 0) return state;
+  state.lift = lifts_.above(vertex, arcs_.enclosure(index));
+  if (state.lift.lift == VertexLift::one_point) add_singular_point(index, state, result);
+  return state;
+}
+
+void WholeCurve::add_singular_point(std::size_t index, VertexState& state, SurfaceResult& result) {
+  const TopologyVertex& vertex = arcs_.topology().vertices[index];
+  const FibreBox& box = *state.lift.box;
+  const SpaceBox point = pair_.point(box.inverted, box.box);
+  SurfaceSingularPoint singular;
+  singular.at = presented({box.inverted, box.box});
+  singular.half_branches = vertex.half_branches();
+  singular.kind = singular.half_branches == 0   ? SurfaceSingularity::contact
+                  : singular.half_branches == 2 ? SurfaceSingularity::cusp
+                                                : SurfaceSingularity::crossing;
+  for (const DoubleInterval& side : box.box) singular.radius = std::max(singular.radius, width(side));
+  bool finite = true;
+  for (const DoubleInterval& x : point) {
+    finite = finite && x.is_finite();
+    singular.radius = std::max(singular.radius, width(x));
+  }
+  if (!finite) {
+    state.lift.lift = VertexLift::undecided;
+    doubt(result, "whether a singular point lies at infinity is not proven");
+    return;
+  }
+  singular.certified = vertex.certified;
+  if (!singular.certified) singular.reason = "the singular point of the projection is not proven";
+  state.singular_point = result.singular_points.size();
+  result.singular_points.push_back(std::move(singular));
+}
+
+void WholeCurve::finish_vertices(SurfaceResult& result) {
+  const TopologyResult& topology = arcs_.topology();
+  for (std::size_t k = 0; k < topology.vertices.size(); ++k) {
+    const TopologyVertex& vertex = topology.vertices[k];
+    if (vertex.kind == VertexKind::infinity || vertex.milnor_number == 0) continue;
+    VertexState& found = state(k, result);
+    const std::string place = "(" + vertex.x.real + ", " + vertex.y.real + ")";
+    if (found.at_infinity) {
+      ++result.counts.excluded;
+    } else if (found.singular_point) {
+      if (vertex.half_branches() == 0) {
+        SurfaceComponent component;
+        component.kind = SurfaceComponentKind::point;
+        component.points = {result.singular_points[*found.singular_point].at};
+        component.start.kind = component.end.kind = BranchEndKind::singular;
+        component.start.singular_point = component.end.singular_point = found.singular_point;
+        component.error = result.singular_points[*found.singular_point].radius;
+        component.tangential = true;
+        component.certified = result.singular_points[*found.singular_point].certified;
+        result.components.push_back(std::move(component));
+      } else if (found.branches != vertex.half_branches()) {
+        doubt(result, "not all branches at the singular point above " + place + " were followed to it");
+      }
+    } else if (found.lift.lift == VertexLift::complex && vertex.half_branches() == 0) {
+      ++result.counts.excluded;
+    } else if (found.lift.lift != VertexLift::branches || found.branches != 0) {
+      doubt(result, "what lies above the point " + place + " of the projection is not proven");
+    }
+  }
+}
+
+BranchEnd WholeCurve::branch_end(const std::optional<ArcEnd>& end, SurfaceResult& result, std::string& reason) {
+  BranchEnd found;
+  found.kind = BranchEndKind::unknown;
+  if (end) {
+    const std::size_t vertex = arcs_.arcs()[end->arc].ends[end->end];
+    VertexState& there = state(vertex, result);
+    ++there.branches;
+    if (there.at_infinity) {
+      found.kind = BranchEndKind::infinity;
+      return found;
+    }
+    if (there.singular_point) {
+      found.kind = BranchEndKind::singular;
+      found.singular_point = there.singular_point;
+      return found;
+    }
+  }
+  reason = "the branch could not be followed beyond one of its ends";
+  doubt(result, "a branch could not be followed to its end");
+  return found;
+}
+
+SurfacePoint WholeCurve::presented(const PointEnclosure& point) const {
+  SurfacePoint result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double value = middle(point.box[i]);
+    const double affine = !point.inverted[i] ? value
+                          : value == 0       ? std::numeric_limits<double>::infinity()
+                                             : 1 / value;
+    result.parameters[surfaces_.source[i]] = surfaces_.change[i](affine);
+  }
+  const SpaceBox place = pair_.point(point.inverted, point.box);
+  for (std::size_t i = 0; i < 3; ++i) result.point[i] = middle(place[i]);
+  return result;
+}
+
+SurfaceComponent WholeCurve::component(const Branch& branch, std::size_t first, std::size_t last, bool from_infinity,
+                                       bool to_infinity) const {
+  SurfaceComponent result;
+  for (std::size_t k = first; k <= last; ++k) result.points.push_back(presented(branch.points[k]));
+  const auto is_far = [&](const SurfacePoint& point) {
+    return std::any_of(point.point.begin(), point.point.end(),
+                       [&](double x) { return !(std::fabs(x) < drawn_reach * limits_.size); });
+  };
+  std::size_t begin = 0;
+  std::size_t end = result.points.size();
+  while (from_infinity && begin + 1 < end && is_far(result.points[begin])) ++begin;
+  while (to_infinity && begin + 1 < end && is_far(result.points[end - 1])) --end;
+  result.points = {result.points.begin() + static_cast<long>(begin), result.points.begin() + static_cast<long>(end)};
+  for (std::size_t k = begin; k + 1 < end; ++k) result.error = std::max(result.error, branch.errors[first + k]);
+  result.certified = true;
+  return result;
+}
+
+void WholeCurve::close_gaps(SurfaceComponent& piece, const SurfaceResult& result) const {
+  auto& points = piece.points;
+  const auto gap = [&](const SurfacePoint& from, const SurfacePoint& to) {
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) square += (from.point[i] - to.point[i]) * (from.point[i] - to.point[i]);
+    piece.error = std::max(piece.error, std::sqrt(square));
+  };
+  if (piece.start.singular_point) {
+    const SurfacePoint& end = result.singular_points[*piece.start.singular_point].at;
+    gap(points.front(), end);
+    points.insert(points.begin(), end);
+  }
+  if (piece.end.singular_point) {
+    const SurfacePoint& end = result.singular_points[*piece.end.singular_point].at;
+    gap(points.back(), end);
+    points.push_back(end);
+  }
+}
+
+void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
+  std::vector<std::size_t> cuts;
+  for (std::size_t k = 0; k < branch.crosses.size(); ++k)
+    if (branch.crosses[k]) cuts.push_back(k);
+  const std::size_t last = branch.points.size() - 1;
+  BranchEnd at_infinity;
+  at_infinity.kind = BranchEndKind::infinity;
+  if (branch.closed && cuts.empty()) {
+    SurfaceComponent loop = component(branch, 0, last, false, false);
+    loop.kind = SurfaceComponentKind::loop;
+    result.components.push_back(std::move(loop));
+    return;
+  }
+  Branch open = branch;
+  if (branch.closed) {
+    // Begin behind the first passage through infinity.
+    const std::size_t shift = cuts.front() + 1;
+    open.points.pop_back();
+    std::rotate(open.points.begin(), open.points.begin() + static_cast<long>(shift), open.points.end());
+    std::rotate(open.errors.begin(), open.errors.begin() + static_cast<long>(shift), open.errors.end());
+    std::rotate(open.crosses.begin(), open.crosses.begin() + static_cast<long>(shift), open.crosses.end());
+    open.crosses.pop_back();
+    open.errors.pop_back();
+  }
+  std::size_t first = 0;
+  std::string reason;
+  BranchEnd start = branch.closed ? at_infinity : branch_end(branch.ends[0], result, reason);
+  for (std::size_t k = 0; k < open.points.size(); ++k) {
+    const bool is_last = k + 1 == open.points.size();
+    if (!is_last && !open.crosses[k]) continue;
+    const BranchEnd end =
+        is_last && !branch.closed ? branch_end(branch.ends[1], result, reason) : at_infinity;
+    SurfaceComponent piece = component(open, first, k, start.kind == BranchEndKind::infinity,
+                                       end.kind == BranchEndKind::infinity);
+    piece.start = start;
+    piece.end = end;
+    close_gaps(piece, result);
+    piece.certified = reason.empty();
+    piece.reason = reason;
+    result.components.push_back(std::move(piece));
+    start = at_infinity;
+    first = k + 1;
+    reason.clear();
+  }
+}
+
+}  // namespace eliminant::intersect

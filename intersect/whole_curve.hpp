@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/intersect/branch_tracing.hpp>
+#include <eliminant/intersect/options.hpp>
+#include <eliminant/intersect/projected_arcs.hpp>
+#include <eliminant/intersect/projection_charts.hpp>
+#include <eliminant/intersect/surface_result.hpp>
+#include <eliminant/intersect/vertex_lifts.hpp>
+
+namespace eliminant::intersect {
+
+/// Two surfaces, or one twice, in parameters (u, v) and (s, t) that suit the projection to (u, t).
+struct PreparedSurfaces {
+  symbolic::RationalSurface first;
+  symbolic::RationalSurface second;
+  bool with_itself = false;
+  /// Parameters of the problem, u, v, s, t in this order, from those here: which one, and how.
+  std::array<std::size_t, 4> source{0, 1, 2, 3};
+  std::array<ProjectiveChange, 4> change{};
+};
+
+/// The intersection curve above a squarefree projection, each of whose points has one common point above it in general.
+class WholeCurve {
+ public:
+  /// All must outlive the object.
+  WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve, const Options& options,
+             const Context& context);
+
+  /// Fills components, singular points, counts and warnings. True when all of it is proven.
+  bool find(SurfaceResult& result);
+
+ private:
+  /// The rest of an arc that the tracer left: towards its end, 0 or 1.
+  struct ArcEnd {
+    std::size_t arc = 0;
+    std::size_t end = 0;
+  };
+  struct Branch {
+    std::vector<PointEnclosure> points;
+    /// Between a point and the next one.
+    std::vector<double> errors;
+    std::vector<bool> crosses;
+    bool closed = false;
+    std::array<std::optional<ArcEnd>, 2> ends;
+  };
+  struct VertexState {
+    VertexLifts::Found lift;
+    bool at_infinity = false;
+    std::optional<std::size_t> singular_point;
+    std::size_t branches = 0;  ///< that ended there
+  };
+
+  void trace_all(SurfaceResult& result);
+  void trace_from(std::size_t seed, SurfaceResult& result);
+  std::optional<ArcEnd> arc_end(const TracedBranch& traced, std::size_t seed, bool forward) const;
+  VertexState& state(std::size_t vertex, SurfaceResult& result);
+  bool is_at_infinity(const TopologyVertex& vertex) const;
+  void add_singular_point(std::size_t vertex, VertexState& state, SurfaceResult& result);
+  void finish_vertices(SurfaceResult& result);
+  BranchEnd branch_end(const std::optional<ArcEnd>& end, SurfaceResult& result, std::string& reason);
+  /// Draws an arc up to the singular points at its ends.
+  void close_gaps(SurfaceComponent& piece, const SurfaceResult& result) const;
+  void add_components(const Branch& branch, SurfaceResult& result);
+  SurfaceComponent component(const Branch& branch, std::size_t first, std::size_t last, bool from_infinity,
+                             bool to_infinity) const;
+  bool are_polynomial() const { return is_polynomial(surfaces_.first) && is_polynomial(surfaces_.second); }
+  SurfacePoint presented(const PointEnclosure& point) const;
+  void doubt(SurfaceResult& result, const std::string& reason);
+
+  const PreparedSurfaces& surfaces_;
+  const Options& options_;
+  const Context& context_;
+  SurfacePair pair_;
+  symbolic::SeparatedBezoutian matrix_;
+  ProjectedArcs arcs_;
+  VertexLifts lifts_;
+  std::vector<WeightFactor> weights_;
+  std::vector<BranchSeed> seeds_;
+  TracingLimits limits_;
+  std::vector<std::size_t> visits_;
+  std::map<std::size_t, VertexState> states_;
+  bool proven_ = true;
+};
+
+}  // namespace eliminant::intersect

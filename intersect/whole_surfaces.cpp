@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/whole_surfaces.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/whole_curve.hpp>
+#include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+#include <eliminant/symbolic/elimination/change_of_variables.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using symbolic::BezoutianEliminant;
+using symbolic::ComponentKind;
+using symbolic::DeterminantVanishing;
+using Clock = std::chrono::steady_clock;
+
+const std::array<const char*, 4> names{"u", "v", "s", "t"};
+
+/// Changes of a projective line; the first leaves everything as it is.
+constexpr std::array<ProjectiveChange, 6> changes{
+    {{1, 0, 0, 1}, {2, 1, -1, 2}, {1, 3, -2, 1}, {3, -1, 2, 3}, {1, -2, 3, 2}, {3, 4, -4, 5}}};
+
+class WholeIntersection {
+ public:
+  WholeIntersection(const Options& options, const Context& context) : options_(options), context_(context) {
+    symbolic::install_flint_error_handler();
+  }
+
+  SurfaceResult of_two(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second) {
+    result_.problem = "surface_surface";
+    choose_projection(first, second);
+    solve();
+    return std::move(result_);
+  }
+
+  SurfaceResult of_one(const symbolic::RationalSurface& surface) {
+    result_.problem = "self_intersection";
+    surfaces_.emplace(PreparedSurfaces{surface, surface, true});
+    eliminant_ = symbolic::self_intersection_eliminant(surface, options_.seed, context_);
+    solve();
+    return std::move(result_);
+  }
+
+ private:
+  /// Which of its parameters each surface keeps: those for which points of the curve have one common point above them.
+  void choose_projection(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second) {
+    for (const int exchanged : {0, 1, 2, 3}) {
+      const bool exchange_first = (exchanged & 1) != 0;
+      const bool exchange_second = (exchanged & 2) != 0;
+      PreparedSurfaces surfaces{exchange_first ? exchange_parameters(first) : first,
+                                exchange_second ? exchange_parameters(second) : second};
+      if (exchange_first) std::swap(surfaces.source[0], surfaces.source[1]);
+      if (exchange_second) std::swap(surfaces.source[2], surfaces.source[3]);
+      BezoutianEliminant eliminant = symbolic::intersection_eliminant(surfaces.first, surfaces.second, options_.seed,
+                                                                      context_);
+      const bool one_to_one =
+          eliminant.stationary.empty() &&
+          std::all_of(eliminant.components.begin(), eliminant.components.end(), [](const auto& component) {
+            return component.kind != ComponentKind::curve ||
+                   (component.meetings == 1 && component.multiplicity == 1 && !component.infinite_parameters);
+          });
+      if (!surfaces_ || one_to_one) {
+        surfaces_.emplace(std::move(surfaces));
+        eliminant_ = std::move(eliminant);
+      }
+      if (one_to_one || eliminant_.vanishing == DeterminantVanishing::overlap) break;
+    }
+  }
+
+  void doubt(const std::string& reason) {
+    proven_ = false;
+    result_.warnings.push_back(reason);
+  }
+
+  /// The bidegree of the determinant, unless it vanishes at infinite parameters.
+  std::array<long, 2> full_degrees() const {
+    const auto [m, n] = surfaces_->first.bidegree();
+    const auto [k, l] = surfaces_->second.bidegree();
+    if (surfaces_->with_itself) return {2 * m * m * n - 4 * m + 2, 2 * m * n * n - 4 * n + 2};
+    return {2 * m * n * k, 2 * l * n * k};
+  }
+
+  bool hides_components_at_infinity() const {
+    const auto full = full_degrees();
+    return eliminant_.determinant.degree(0) != full[0] || eliminant_.determinant.degree(1) != full[1];
+  }
+
+  bool are_polynomial() const { return is_polynomial(surfaces_->first) && is_polynomial(surfaces_->second); }
+
+  /// Parameters in which nothing particular happens where they are infinite.
+  void choose_parameters() {
+    if (are_polynomial()) return;
+    const PreparedSurfaces original = *surfaces_;
+    const BezoutianEliminant of_original = eliminant_;
+    const bool hides = hides_components_at_infinity();
+    for (const ProjectiveChange& change : changes) {
+      // The kept parameters are changed: u and t, of one surface the same two lines for both of its points.
+      PreparedSurfaces changed = original;
+      if (!change.is_identity()) {
+        const ProjectiveChange other{change.d, change.b, change.c, change.a};
+        changed.change[0] = change;
+        changed.change[3] = other;
+        if (changed.with_itself) {
+          changed.change[2] = change;
+          changed.change[1] = other;
+        }
+        changed.first = change_parameters(original.first, {changed.change[0], changed.change[1]});
+        changed.second = change_parameters(original.second, {changed.change[2], changed.change[3]});
+      }
+      surfaces_.emplace(changed);
+      if (hides && !change.is_identity()) {
+        eliminant_ = changed.with_itself
+                         ? symbolic::self_intersection_eliminant(changed.first, options_.seed, context_)
+                         : symbolic::intersection_eliminant(changed.first, changed.second, options_.seed, context_);
+        if (hides_components_at_infinity()) continue;
+      } else if (!change.is_identity()) {
+        eliminant_.curve = change_parameters(of_original.curve,
+                                             {of_original.curve.degree(0), of_original.curve.degree(1)},
+                                             {changed.change[0], changed.change[3]})
+                               .primitive_part();
+      } else if (hides) {
+        continue;
+      }
+      if (eliminant_.curve.is_constant() || is_general_at_infinity(eliminant_.curve)) return;
+    }
+    doubt("no parameters were found for which the projection is in general position at infinity");
+  }
+
+  void report_projection() {
+    std::vector<std::string> kept{names[surfaces_->source[0]], names[surfaces_->source[3]]};
+    if (surfaces_->with_itself) kept = {"u", "v"};
+    result_.projection = SurfaceProjection{std::move(kept), eliminant_};
+    result_.engine.method = "eliminant";
+    result_.engine.matrix = "bezoutian";
+    result_.engine.matrix_size = static_cast<long>(eliminant_.size);
+    result_.engine.seed = options_.seed;
+  }
+
+  void judge_components() {
+    for (const symbolic::EliminantComponent& component : eliminant_.components) {
+      if (component.kind == ComponentKind::curve) {
+        if (component.infinite_parameters) doubt("a parameter is infinite all along a component of the curve");
+        if (component.meetings != 1) doubt("above a component of the projection there are several common points");
+      }
+    }
+    if (!eliminant_.stationary.empty())
+      doubt("common curves may be hidden: along them both parameters of the projection are constant");
+  }
+
+  void solve() {
+    const auto start = Clock::now();
+    report_projection();
+    if (eliminant_.vanishing != DeterminantVanishing::no) {
+      treat_vanishing();
+      if (result_.status == Status::infinite) return;
+    }
+    choose_parameters();
+    judge_components();
+    const auto chosen = Clock::now();
+    if (!eliminant_.curve.is_constant()) {
+      WholeCurve curve(*surfaces_, eliminant_.curve, options_, context_);
+      proven_ = curve.find(result_) && proven_;
+    }
+    count();
+    result_.status = proven_ && options_.certify ? Status::certified : Status::numeric;
+    const auto seconds = [](auto from, auto to) { return std::chrono::duration<double>(to - from).count(); };
+    result_.seconds = {{"total", seconds(start, Clock::now())},
+                       {"projection", seconds(start, chosen)},
+                       {"curve", seconds(chosen, Clock::now())}};
+  }
+
+  void treat_vanishing() {
+    const std::string reason(symbolic::explanation(eliminant_.vanishing));
+    if (eliminant_.vanishing == DeterminantVanishing::overlap) {
+      SurfaceComponent overlap;
+      overlap.kind = SurfaceComponentKind::overlap;
+      overlap.certified = options_.certify;
+      result_.components.push_back(std::move(overlap));
+      count();
+      result_.status = Status::infinite;
+      return;
+    }
+    doubt("the eliminant vanishes identically: " + reason);
+  }
+
+  void count() {
+    std::stable_sort(result_.components.begin(), result_.components.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.kind, smallest(a)) < std::pair(b.kind, smallest(b));
+    });
+    result_.counts.curves = of_kind(SurfaceComponentKind::curve);
+    result_.counts.loops = of_kind(SurfaceComponentKind::loop);
+    result_.counts.points = of_kind(SurfaceComponentKind::point);
+    result_.counts.overlaps = of_kind(SurfaceComponentKind::overlap);
+    result_.counts.singular = result_.singular_points.size();
+    if (!options_.certify)
+      for (SurfaceComponent& component : result_.components) component.certified = false;
+  }
+
+  static std::array<double, 4> smallest(const SurfaceComponent& component) {
+    std::array<double, 4> least{};
+    least.fill(INFINITY);
+    for (const SurfacePoint& point : component.points) least = std::min(least, point.parameters);
+    return least;
+  }
+
+  unsigned long of_kind(SurfaceComponentKind kind) const {
+    return static_cast<unsigned long>(
+        std::count_if(result_.components.begin(), result_.components.end(),
+                      [&](const SurfaceComponent& component) { return component.kind == kind; }));
+  }
+
+  const Options& options_;
+  const Context& context_;
+  std::optional<PreparedSurfaces> surfaces_;
+  BezoutianEliminant eliminant_;
+  SurfaceResult result_;
+  bool proven_ = true;
+};
+
+}  // namespace
+
+SurfaceResult intersect_whole_surfaces(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second,
+                                       const Options& options, const Context& context) {
+  return WholeIntersection(options, context).of_two(first, second);
+}
+
+SurfaceResult intersect_whole_surface_with_itself(const symbolic::RationalSurface& surface, const Options& options,
+                                                  const Context& context) {
+  return WholeIntersection(options, context).of_one(surface);
+}
+
+}  // namespace eliminant::intersect
