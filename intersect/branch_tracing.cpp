@@ -189,7 +189,7 @@ std::optional<BranchSegment> BranchTracer::advance(const PointEnclosure& from, c
   return segment;
 }
 
-TracedBranch BranchTracer::trace(std::size_t seed, bool forward) const {
+TracedBranch BranchTracer::trace(std::size_t seed, bool forward, std::size_t origin) const {
   TracedBranch result;
   PointEnclosure at = seeds_[seed].point;
   auto direction = branch_direction(pair_, centre_of(at));
@@ -200,6 +200,10 @@ TracedBranch BranchTracer::trace(std::size_t seed, bool forward) const {
   while (result.segments.size() < limits_.most_segments) {
     if (result.segments.size() % 64 == 0) context_.checkpoint("tracing branches");
     at = in_good_charts(pair_, at, *direction);
+    for (const DoubleInterval& x : at.box)
+      if (x.magnitude() > limits_.largest_parameter) return result;
+    for (const DoubleInterval& x : pair_.point(at.inverted, at.box))
+      if (x.is_finite() && x.magnitude() > limits_.reach * limits_.size) return result;
     auto tangent = branch_direction(pair_, centre_of(at));
     if (!tangent) return result;
     double cosine = 0;
@@ -240,7 +244,7 @@ TracedBranch BranchTracer::trace(std::size_t seed, bool forward) const {
     result.segments.push_back(*std::move(segment));
     for (const SeedPassage& passage : passages) {
       result.passages.push_back(passage);
-      if (passage.seed == seed) {
+      if (passage.seed == origin) {
         result.closed = true;
         return result;
       }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -62,7 +63,7 @@ struct SeedPassage {
 struct TracedBranch {
   std::vector<BranchSegment> segments;
   std::vector<SeedPassage> passages;
-  /// It came back to its beginning; otherwise the tube test failed for the least step.
+  /// It came back to its origin; otherwise the tube test failed for the least step, or a limit was reached.
   bool closed = false;
 };
 
@@ -73,7 +74,10 @@ struct TracingLimits {
   /// Largest distance of a chord from the branch, relative to max(size, |point|).
   double tolerance = 1e-4;
   double size = 1;
-  std::size_t most_segments = 200000;
+  /// Beyond this distance, compared with the size, branches are left; beyond the modulus of a parameter, too.
+  double reach = std::numeric_limits<double>::infinity();
+  double largest_parameter = 1e3;
+  std::size_t most_segments = 100000;
 };
 
 /// Follows smooth branches by overlapping tubes, without ever passing from one to another.
@@ -84,8 +88,9 @@ class BranchTracer {
                const TracingLimits& limits, const Context& context)
       : pair_(pair), seeds_(seeds), weights_(weights), limits_(limits), context_(context) {}
 
-  /// From a seed, to increasing or decreasing values of its axis.
-  TracedBranch trace(std::size_t seed, bool forward) const;
+  /// From a seed, to increasing or decreasing values of its axis in its chart, until the branch is back at the seed
+  /// `origin`, or the tubes end.
+  TracedBranch trace(std::size_t seed, bool forward, std::size_t origin) const;
 
  private:
   enum class Passage { none, passes, undecided };

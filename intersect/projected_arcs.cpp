@@ -40,7 +40,9 @@ symbolic::Rational exact(double value) {
 
 }  // namespace
 
-ProjectedArcs::ProjectedArcs(const symbolic::Polynomial& curve, const Options& options, const Context& context) {
+ProjectedArcs::ProjectedArcs(const symbolic::Polynomial& curve, const std::array<ProjectiveChange, 2>& changes,
+                             const Options& options, const Context& context)
+    : changes_(changes) {
   CurveTopologyProblem problem;
   problem.p = curve;
   topology_ = curve_topology(problem, options, context);
@@ -94,6 +96,45 @@ std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::isolated_root(std::s
   return std::array<DoubleInterval, 2>{root, DoubleInterval(root.lower - gap / 3, root.upper + gap / 3)};
 }
 
+std::vector<double> ProjectedArcs::shares_beyond(std::size_t arc, double parameter, std::size_t end) const {
+  const auto& polyline = topology_.edges[arc].polyline;
+  const std::size_t own = arcs_[arc].vertical ? 1 : 0;
+  std::vector<double> result;
+  if (arcs_[arc].vertical) return result;
+  const double last = static_cast<double>(polyline.size() - 1);
+  for (std::size_t k = 1; k + 1 < polyline.size(); ++k) {
+    const std::size_t at = end == 1 ? k : polyline.size() - 1 - k;
+    const bool beyond = end == 1 ? polyline[at][own] > parameter : polyline[at][own] < parameter;
+    if (beyond) result.push_back((static_cast<double>(at) + 0.25) / last);
+  }
+  return result;
+}
+
+std::array<DoubleInterval, 2> ProjectedArcs::projection(const PointEnclosure& point) const {
+  return {from_chart(0, point.inverted[0])(point.box[0]), from_chart(1, point.inverted[3])(point.box[3])};
+}
+
+std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::box_between(std::size_t arc,
+                                                                        const std::array<DoubleInterval, 2>& from,
+                                                                        const std::array<DoubleInterval, 2>& to,
+                                                                        const Context& context) const {
+  if (arcs_[arc].vertical) return std::nullopt;
+  const DoubleInterval x = hull(from[0], to[0]);
+  const DoubleInterval y = hull(from[1], to[1]);
+  if (!x.is_finite() || !y.is_finite()) return std::nullopt;
+  for (double room = std::max(width(y), 1e-12 * y.magnitude() + 1e-300); room < 1e6 * (width(x) + width(y)) + 1e-9;
+       room *= 4) {
+    bool free = true;
+    for (const double side : {y.lower - room, y.upper + room}) {
+      bridge::RationalFibre fibre(hidden_[1], exact(side), context);
+      for (std::size_t k = 0; k < fibre.count(); ++k)
+        free = free && !overlap(interval_of(fibre.refined(k, 60)), x);
+    }
+    if (free) return std::array<DoubleInterval, 2>{x, DoubleInterval(y.lower - room, y.upper + room)};
+  }
+  return std::nullopt;
+}
+
 std::optional<BranchSeed> ProjectedArcs::seed_above(const SurfacePair& pair, std::size_t arc, double share,
                                                     const Context& context) const {
   const ProjectedArc& where = arcs_[arc];
@@ -109,24 +150,25 @@ std::optional<BranchSeed> ProjectedArcs::seed_above(const SurfacePair& pair, std
     start = polyline[1];
   if (!(where.inside.lower < start[own] && start[own] < where.inside.upper)) return std::nullopt;
   // The value is a double in the chart of the point.
-  const bool inverted = std::fabs(start[own]) > 1;
-  const double in_chart = inverted ? 1 / start[own] : start[own];
-  const symbolic::Rational value = inverted ? symbolic::Rational(1) / exact(in_chart) : exact(in_chart);
-  const auto root = isolated_root(arc, value, start[1 - own], context);
+  const auto suits_inverse = [&](std::size_t kept, double value) { return !(std::fabs(changes_[kept](value)) <= 1); };
+  const bool inverted = suits_inverse(own, start[own]);
+  const ProjectiveChange from = from_chart(own, inverted);
+  const double in_chart = from.inverse()(start[own]);
+  const auto root = isolated_root(arc, from(exact(in_chart)), start[1 - own], context);
   if (!root) return std::nullopt;
 
   BranchSeed seed;
   seed.arc = arc;
   seed.axis = where.vertical ? 3 : 0;
-  std::array<DoubleInterval, 2> kept;
-  kept[1 - own] = (*root)[0];
-  const bool other_inverted = std::fabs(middle(kept[1 - own])) > 1;
-  const Charts charts{own == 0 ? inverted : other_inverted, false, false, own == 0 ? other_inverted : inverted};
-  DoubleInterval isolated = (*root)[1];
   const std::size_t other = 3 - seed.axis;
+  const bool other_inverted = suits_inverse(1 - own, middle((*root)[0]));
+  const Charts charts{own == 0 ? inverted : other_inverted, false, false, own == 0 ? other_inverted : inverted};
+  const ProjectiveChange to = from_chart(1 - own, other_inverted).inverse();
+  std::array<DoubleInterval, 2> kept;
   kept[own] = DoubleInterval(in_chart);
-  if (other_inverted) kept[1 - own] = inverse(kept[1 - own]);
-  if (other_inverted) isolated = isolated.excludes_zero() ? inverse(isolated) : kept[1 - own];
+  kept[1 - own] = to((*root)[0]);
+  DoubleInterval isolated = to((*root)[1]);
+  if (!isolated.is_finite()) isolated = kept[1 - own];
   for (const double side : {0.25, 1.0 / 32, 1.0 / 512}) {
     const auto boxes = fibre_boxes(pair, charts, kept[0], kept[1], side, 4000);
     if (!boxes) return std::nullopt;

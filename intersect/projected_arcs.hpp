@@ -10,6 +10,7 @@
 #include <eliminant/intersect/branch_tracing.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
 #include <eliminant/intersect/parameter_fibre.hpp>
+#include <eliminant/intersect/projection_charts.hpp>
 #include <eliminant/symbolic/elimination/curve_events.hpp>
 
 namespace eliminant::intersect {
@@ -26,16 +27,32 @@ struct ProjectedArc {
 /// The certified topology of the projection D(u, t) = 0, and points above its arcs.
 class ProjectedArcs {
  public:
-  /// `curve` is not constant. Throws as curve_topology does.
-  ProjectedArcs(const symbolic::Polynomial& curve, const Options& options, const Context& context);
+  /// `curve` is not constant; `changes` give u and t of the surfaces for those of the projection. Throws as
+  /// curve_topology does.
+  ProjectedArcs(const symbolic::Polynomial& curve, const std::array<ProjectiveChange, 2>& changes,
+                const Options& options, const Context& context);
 
   const TopologyResult& topology() const { return topology_; }
   const std::vector<ProjectedArc>& arcs() const { return arcs_; }
   /// A point of the intersection above an interior point of an arc, of which the surfaces have one; nullopt where none
-  /// was proven. `share` in (0, 1) says where on the arc.
+  /// was proven. `share` in (0, 1) says where on the polyline of the arc.
   std::optional<BranchSeed> seed_above(const SurfacePair& pair, std::size_t arc, double share,
                                        const Context& context) const;
-  /// Enclosures of the parameters u and t of a vertex that is not at infinity.
+  /// The shares at which the polyline of an arc has points beyond a parameter, in the direction of its end 0 or 1,
+  /// nearest first.
+  std::vector<double> shares_beyond(std::size_t arc, double parameter, std::size_t end) const;
+  /// The parameters of the projection of a point.
+  std::array<DoubleInterval, 2> projection(const PointEnclosure& point) const;
+  /// All of the arc between the abscissae of two of its points lies in the box of both that is returned: the curve does
+  /// not meet the horizontal sides. nullopt when that is not proven, and for vertical lines.
+  std::optional<std::array<DoubleInterval, 2>> box_between(std::size_t arc, const std::array<DoubleInterval, 2>& from,
+                                                           const std::array<DoubleInterval, 2>& to,
+                                                           const Context& context) const;
+  /// From a chart of the surfaces' u (0) or t (1) to the parameter of the projection.
+  ProjectiveChange from_chart(std::size_t kept, bool inverted) const {
+    return changes_[kept].inverse().after(chart(inverted));
+  }
+  /// Enclosures of the parameters u and t, in the projection, of a vertex that is not at infinity.
   std::array<DoubleInterval, 2> enclosure(std::size_t vertex) const;
 
  private:
@@ -45,6 +62,7 @@ class ProjectedArcs {
                                                              const Context& context) const;
 
   TopologyResult topology_;
+  std::array<ProjectiveChange, 2> changes_;
   std::array<symbolic::HiddenVariablePolynomial, 2> hidden_;
   std::vector<ProjectedArc> arcs_;
 };

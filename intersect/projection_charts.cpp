@@ -11,6 +11,13 @@ namespace eliminant::intersect {
 
 using symbolic::Polynomial;
 
+DoubleInterval ProjectiveChange::operator()(const DoubleInterval& y) const {
+  const auto number = [](long value) { return DoubleInterval(static_cast<double>(value)); };
+  if (c != 0 && !(number(c) * y + number(d)).excludes_zero()) return {-INFINITY, INFINITY};
+  const auto at = [&](double end) { return (number(a) * end + number(b)) / (number(c) * end + number(d)); };
+  return hull(at(y.lower), at(y.upper));
+}
+
 Polynomial change_parameters(const Polynomial& p, const std::array<long, 2>& degrees,
                              const std::array<ProjectiveChange, 2>& changes) {
   std::array<std::vector<Polynomial>, 2> images;

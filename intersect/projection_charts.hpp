@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
+#include <eliminant/intersect/surface_charts.hpp>
 #include <eliminant/symbolic/arithmetic/polynomial.hpp>
 #include <eliminant/symbolic/geometry/rational_surface.hpp>
 
@@ -18,14 +18,28 @@ struct ProjectiveChange {
   long d = 1;
 
   bool is_identity() const { return a == d && b == 0 && c == 0; }
-  /// x for y; +inf where it is infinite. y may be infinite.
-  double operator()(double y) const {
-    const double infinity = std::numeric_limits<double>::infinity();
-    if (y == infinity || y == -infinity) return c == 0 ? infinity : static_cast<double>(a) / static_cast<double>(c);
-    const double below = static_cast<double>(c) * y + static_cast<double>(d);
-    return below == 0 ? infinity : (static_cast<double>(a) * y + static_cast<double>(b)) / below;
+  /// Increasing where it is finite, otherwise decreasing.
+  bool is_increasing() const { return a * d - b * c > 0; }
+  ProjectiveChange inverse() const { return {d, -b, -c, a}; }
+  /// x for the value `other` of y.
+  ProjectiveChange after(const ProjectiveChange& other) const {
+    return {a * other.a + b * other.c, a * other.b + b * other.d, c * other.a + d * other.c, c * other.b + d * other.d};
   }
+  double operator()(double y) const {
+    return (static_cast<double>(a) * y + static_cast<double>(b)) / (static_cast<double>(c) * y + static_cast<double>(d));
+  }
+  /// Throws InvalidInput where x is infinite.
+  symbolic::Rational operator()(const symbolic::Rational& y) const {
+    return (symbolic::Rational(a) * y + symbolic::Rational(b)) / (symbolic::Rational(c) * y + symbolic::Rational(d));
+  }
+  /// Encloses all x; everything where one is infinite.
+  DoubleInterval operator()(const DoubleInterval& y) const;
 };
+
+/// The chart of a projective line in which a parameter is its own inverse, or itself.
+inline ProjectiveChange chart(bool inverted) {
+  return inverted ? ProjectiveChange{0, 1, 1, 0} : ProjectiveChange{};
+}
 
 /// p with the changes made in its variables, times the least powers of their denominators: of the same degrees, or
 /// lower ones where p vanishes at the parameter that becomes infinite. Two variables.

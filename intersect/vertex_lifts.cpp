@@ -122,15 +122,9 @@ bool VertexLifts::has_corank_one(const TopologyVertex& vertex) const {
   return acb_contains_zero(determinant.get()) == 0;
 }
 
-VertexLifts::Found VertexLifts::above(const TopologyVertex& vertex,
-                                      const std::array<DoubleInterval, 2>& enclosure) const {
-  Charts charts{};
-  std::array<DoubleInterval, 2> kept = enclosure;
-  for (std::size_t i = 0; i < 2; ++i)
-    if (std::fabs(middle(kept[i])) > 1) {
-      charts[3 * i] = true;
-      kept[i] = inverse(kept[i]);
-    }
+VertexLifts::Found VertexLifts::above(const TopologyVertex& vertex, const std::array<bool, 2>& inverted,
+                                      const std::array<DoubleInterval, 2>& kept) const {
+  const Charts charts{inverted[0], false, false, inverted[1]};
   Found found;
   const bool one_point = has_corank_one(vertex);
   for (const double side : {0x1p-10, 0x1p-16, 0x1p-22}) {

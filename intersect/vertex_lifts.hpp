@@ -21,7 +21,8 @@ enum class VertexLift {
 /// The parameters above singular points of the eliminant's curve, by the rank of the Bezoutian matrix and subdivision.
 class VertexLifts {
  public:
-  /// Of two surfaces, or of one with itself; all must outlive the object.
+  /// Of two surfaces, or of one with itself, the matrix in the parameters of the projection; all must outlive the
+  /// object.
   VertexLifts(const SurfacePair& pair, const symbolic::SeparatedBezoutian& matrix, bool with_itself)
       : pair_(pair), matrix_(matrix), with_itself_(with_itself) {}
 
@@ -30,8 +31,9 @@ class VertexLifts {
     /// Encloses the point.
     std::optional<FibreBox> box;
   };
-  /// `u` and `t` enclose the vertex.
-  Found above(const TopologyVertex& vertex, const std::array<DoubleInterval, 2>& enclosure) const;
+  /// `kept` encloses the parameters u and t of the surfaces at the vertex, in these charts.
+  Found above(const TopologyVertex& vertex, const std::array<bool, 2>& inverted,
+              const std::array<DoubleInterval, 2>& kept) const;
 
  private:
   bool has_corank_one(const TopologyVertex& vertex) const;

@@ -31,8 +31,8 @@ WholeCurve::WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynom
       options_(options),
       context_(context),
       pair_(surfaces.first, surfaces.second),
-      matrix_(surfaces.first, surfaces.second),
-      arcs_(curve, topology_options(options), context),
+      matrix_(surfaces.changed_first(), surfaces.changed_second()),
+      arcs_(curve, surfaces.change, topology_options(options), context),
       lifts_(pair_, matrix_, surfaces.with_itself),
       weights_(weight_factors(surfaces.first, surfaces.second, options.seed)) {}
 
@@ -51,7 +51,7 @@ bool WholeCurve::find(SurfaceResult& result) {
 }
 
 void WholeCurve::trace_all(SurfaceResult& result) {
-  double size = 0;
+  std::vector<double> sizes;
   std::vector<std::size_t> seedless;
   for (std::size_t arc = 0; arc < arcs_.arcs().size(); ++arc) {
     std::optional<BranchSeed> seed;
@@ -61,16 +61,22 @@ void WholeCurve::trace_all(SurfaceResult& result) {
       seedless.push_back(arc);
       continue;
     }
+    double reach = 0;
     for (const DoubleInterval& x : pair_.point(seed->point.inverted, seed->point.box))
-      if (x.is_finite()) size = std::max(size, std::fabs(middle(x)));
+      if (x.is_finite()) reach = std::max(reach, std::fabs(middle(x)));
+    sizes.push_back(reach);
     seeds_.push_back(*std::move(seed));
   }
   if (!seedless.empty())
     doubt(result, "no point was proven above " + std::to_string(seedless.size()) + " arcs of the projection");
-  limits_.size = size > 0 ? size : 1;
-  limits_.tolerance = std::max(options_.tolerance, 1e-4);
+  // Arcs that go to infinity make some of them very large.
+  std::sort(sizes.begin(), sizes.end());
+  if (!sizes.empty() && sizes[sizes.size() / 2] > 0) limits_.size = sizes[sizes.size() / 2];
+  limits_.tolerance = std::max(options_.tolerance, 1e-3);
+  if (are_polynomial()) limits_.reach = 10 * drawn_reach;
   visits_.assign(seeds_.size(), 0);
-  for (std::size_t seed = 0; seed < seeds_.size(); ++seed)
+  const std::size_t arcs = seeds_.size();
+  for (std::size_t seed = 0; seed < arcs; ++seed)
     if (visits_[seed] == 0) trace_from(seed, result);
   if (std::any_of(visits_.begin(), visits_.end(), [](std::size_t visits) { return visits != 1; }))
     doubt(result, "an arc was traced more than once");
@@ -78,32 +84,125 @@ void WholeCurve::trace_all(SurfaceResult& result) {
 
 void WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
   const BranchTracer tracer(pair_, seeds_, weights_, limits_, context_);
-  TracedBranch forward = tracer.trace(seed, true);
-  TracedBranch backward;
   ++visits_[seed];
-  for (const SeedPassage& passage : forward.passages)
-    if (passage.seed != seed) ++visits_[passage.seed];
-  Branch branch;
-  branch.closed = forward.closed;
-  if (!forward.closed) {
-    backward = tracer.trace(seed, false);
-    for (const SeedPassage& passage : backward.passages) ++visits_[passage.seed];
-    branch.ends = {arc_end(backward, seed, false), arc_end(forward, seed, true)};
-    for (std::size_t k = backward.segments.size(); k-- > 0;) {
-      const BranchSegment& segment = backward.segments[k];
-      branch.points.push_back(segment.end);
-      branch.errors.push_back(segment.error);
-      branch.crosses.push_back(segment.crosses_infinity);
-    }
+  Branch branch = walk(tracer, seed, true, result);
+  if (!branch.closed) {
+    Branch back = walk(tracer, seed, false, result);
+    std::reverse(back.points.begin(), back.points.end());
+    std::reverse(back.errors.begin(), back.errors.end());
+    std::reverse(back.crosses.begin(), back.crosses.end());
+    back.points.pop_back();
+    branch.points.insert(branch.points.begin(), back.points.begin(), back.points.end());
+    branch.errors.insert(branch.errors.begin(), back.errors.begin(), back.errors.end());
+    branch.crosses.insert(branch.crosses.begin(), back.crosses.begin(), back.crosses.end());
+    branch.ends[0] = back.ends[1];
+    if (branch.reason.empty()) branch.reason = back.reason;
+  } else {
+    branch.points.back() = branch.points.front();
   }
-  branch.points.push_back(seeds_[seed].point);
-  for (const BranchSegment& segment : forward.segments) {
+  add_components(branch, result);
+}
+
+void WholeCurve::append(Branch& branch, const TracedBranch& traced) const {
+  for (const BranchSegment& segment : traced.segments) {
     branch.points.push_back(segment.end);
     branch.errors.push_back(segment.error);
     branch.crosses.push_back(segment.crosses_infinity);
   }
-  if (branch.closed) branch.points.back() = branch.points.front();
-  add_components(branch, result);
+}
+
+WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed, bool forward,
+                                    SurfaceResult& result) {
+  Branch branch;
+  branch.points.push_back(seeds_[seed].point);
+  std::size_t from = seed;
+  for (int gaps = 0; gaps < 40; ++gaps) {
+    const TracedBranch traced = tracer.trace(from, forward, seed);
+    append(branch, traced);
+    for (const SeedPassage& passage : traced.passages)
+      if (passage.seed != seed) ++visits_[passage.seed];
+    branch.closed = traced.closed;
+    if (traced.closed) break;
+    branch.ends[1] = arc_end(traced, from, forward);
+    if (!branch.ends[1] || is_end(*branch.ends[1], branch.points.back(), result)) break;
+    const auto next = seed_beyond(*branch.ends[1], branch.points.back());
+    if (!next) break;
+    // The arc goes on, and the branch above it: draw it from the other side, too.
+    from = *next;
+    const std::size_t arc = branch.ends[1]->arc;
+    const bool increasing = arcs_.from_chart(0, seeds_[from].point.inverted[0]).is_increasing();
+    forward = (branch.ends[1]->end == 1) == increasing;
+    const TracedBranch back = tracer.trace(from, !forward, from);
+    for (const SeedPassage& passage : back.passages) ++visits_[passage.seed];
+    const PointEnclosure beyond = back.segments.empty() ? seeds_[from].point : back.segments.back().end;
+    auto error = gap_error(arc, branch.points.back(), beyond);
+    if (!error) branch.reason = "how far the polyline is from the curve is not proven near a point that tubes cannot pass";
+    branch.errors.push_back(error.value_or(0));
+    branch.crosses.push_back(false);
+    for (std::size_t k = back.segments.size(); k-- > 0;) {
+      branch.points.push_back(back.segments[k].end);
+      branch.errors.push_back(back.segments[k].error);
+      branch.crosses.push_back(back.segments[k].crosses_infinity);
+    }
+    branch.points.push_back(seeds_[from].point);
+  }
+  return branch;
+}
+
+bool WholeCurve::is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceResult& result) {
+  const std::size_t index = arcs_.arcs()[end.arc].ends[end.end];
+  const TopologyVertex& vertex = arcs_.topology().vertices[index];
+  const VertexState& there = state(index, result);
+  if (!there.at_infinity && !there.singular_point) return false;
+  if (vertex.kind == VertexKind::infinity) {
+    double reach = 0;
+    for (const DoubleInterval& x : pair_.point(last.inverted, last.box)) reach = std::max(reach, x.magnitude());
+    return reach > drawn_reach * limits_.size;
+  }
+  const auto at = arcs_.projection(last);
+  const auto goal = arcs_.enclosure(index);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!(std::fabs(middle(at[i]) - middle(goal[i])) < 1e-2 * (1 + goal[i].magnitude()))) return false;
+  return true;
+}
+
+std::optional<std::size_t> WholeCurve::seed_beyond(const ArcEnd& end, const PointEnclosure& last) {
+  const double parameter = middle(arcs_.projection(last)[0]);
+  const std::vector<double> shares = arcs_.shares_beyond(end.arc, parameter, end.end);
+  for (std::size_t k = 0; k < shares.size() && k < 6; ++k) {
+    auto seed = arcs_.seed_above(pair_, end.arc, shares[k], context_);
+    if (!seed) continue;
+    seeds_.push_back(*std::move(seed));
+    visits_.push_back(1);
+    return seeds_.size() - 1;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> WholeCurve::gap_error(std::size_t arc, const PointEnclosure& from,
+                                            const PointEnclosure& to) const {
+  const auto box = arcs_.box_between(arc, arcs_.projection(from), arcs_.projection(to), context_);
+  if (!box) return std::nullopt;
+  std::array<DoubleInterval, 2> kept;
+  for (std::size_t i = 0; i < 2; ++i) kept[i] = arcs_.from_chart(i, from.inverted[3 * i]).inverse()((*box)[i]);
+  const double size = std::max(width(kept[0]), width(kept[1]));
+  if (!std::isfinite(size)) return std::nullopt;
+  const auto boxes = fibre_boxes(pair_, from.inverted, kept[0], kept[1], std::max(size, 1e-9), 20000);
+  if (!boxes) return std::nullopt;
+  // v and s change continuously along the branch, so that it stays in boxes that touch.
+  for (const auto& members : gather_boxes(*boxes)) {
+    const auto group = hull_of(*boxes, members);
+    if (!group) return std::nullopt;
+    const auto holds = [&](const PointEnclosure& point) {
+      const ParameterBox moved = in_charts(point.box, point.inverted, group->inverted);
+      return overlap(moved[1], group->box[1]) && overlap(moved[2], group->box[2]);
+    };
+    if (!holds(from) || !holds(to)) continue;
+    double square = 0;
+    for (const DoubleInterval& x : pair_.point(group->inverted, group->box)) square += width(x) * width(x);
+    if (std::isfinite(square)) return std::sqrt(square) * (1 + 1e-12);
+  }
+  return std::nullopt;
 }
 
 std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced, std::size_t seed,
@@ -121,7 +220,7 @@ std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced
   for (std::size_t k = first_segment; k < traced.segments.size(); ++k) {
     const BranchTube& tube = traced.segments[k].tube;
     const DoubleInterval& in_chart = tube.hull[start.axis];
-    const DoubleInterval at = tube.centre.inverted[start.axis] ? inverse(in_chart) : in_chart;
+    const DoubleInterval at = arcs_.from_chart(start.axis == 0 ? 0 : 1, tube.centre.inverted[start.axis])(in_chart);
     // Finite points do not reach an end at infinity of two polynomial surfaces.
     const auto is_free = [&](std::size_t end) {
       return !traced.segments[k].crosses_infinity && are_polynomial() &&
@@ -130,7 +229,8 @@ std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced
     if (!(arc.inside.lower < at.lower || is_free(0)) || !(at.upper < arc.inside.upper || is_free(1)))
       return std::nullopt;
   }
-  const bool increasing = forward != start.point.inverted[start.axis];
+  const bool increasing =
+      forward == arcs_.from_chart(start.axis == 0 ? 0 : 1, start.point.inverted[start.axis]).is_increasing();
   return ArcEnd{start.arc, increasing ? std::size_t{1} : std::size_t{0}};
 }
 
@@ -211,7 +311,13 @@ WholeCurve::VertexState& WholeCurve::state(std::size_t index, SurfaceResult& res
   state.at_infinity = is_at_infinity(vertex);
   if (state.at_infinity) return state;
   if (vertex.milnor_number == 0) return state;
-  state.lift = lifts_.above(vertex, arcs_.enclosure(index));
+  std::array<DoubleInterval, 2> kept = arcs_.enclosure(index);
+  std::array<bool, 2> inverted{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    inverted[i] = !(arcs_.from_chart(i, false).inverse()(kept[i]).magnitude() <= 1);
+    kept[i] = arcs_.from_chart(i, inverted[i]).inverse()(kept[i]);
+  }
+  state.lift = lifts_.above(vertex, inverted, kept);
   if (state.lift.lift == VertexLift::one_point) add_singular_point(index, state, result);
   return state;
 }
@@ -303,7 +409,7 @@ SurfacePoint WholeCurve::presented(const PointEnclosure& point) const {
     const double affine = !point.inverted[i] ? value
                           : value == 0       ? std::numeric_limits<double>::infinity()
                                              : 1 / value;
-    result.parameters[surfaces_.source[i]] = surfaces_.change[i](affine);
+    result.parameters[surfaces_.source[i]] = affine;
   }
   const SpaceBox place = pair_.point(point.inverted, point.box);
   for (std::size_t i = 0; i < 3; ++i) result.point[i] = middle(place[i]);
@@ -314,9 +420,13 @@ SurfaceComponent WholeCurve::component(const Branch& branch, std::size_t first, 
                                        bool to_infinity) const {
   SurfaceComponent result;
   for (std::size_t k = first; k <= last; ++k) result.points.push_back(presented(branch.points[k]));
+  const auto reach = [](const SurfacePoint& point) {
+    return std::max({std::fabs(point.point[0]), std::fabs(point.point[1]), std::fabs(point.point[2])});
+  };
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const SurfacePoint& point : result.points) nearest = std::min(nearest, reach(point));
   const auto is_far = [&](const SurfacePoint& point) {
-    return std::any_of(point.point.begin(), point.point.end(),
-                       [&](double x) { return !(std::fabs(x) < drawn_reach * limits_.size); });
+    return !(reach(point) < drawn_reach * std::max(limits_.size, nearest));
   };
   std::size_t begin = 0;
   std::size_t end = result.points.size();
@@ -357,6 +467,9 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
   if (branch.closed && cuts.empty()) {
     SurfaceComponent loop = component(branch, 0, last, false, false);
     loop.kind = SurfaceComponentKind::loop;
+    loop.reason = branch.reason;
+    loop.certified = branch.reason.empty();
+    if (!branch.reason.empty()) doubt(result, branch.reason);
     result.components.push_back(std::move(loop));
     return;
   }
@@ -372,7 +485,8 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
     open.errors.pop_back();
   }
   std::size_t first = 0;
-  std::string reason;
+  std::string reason = branch.reason;
+  if (!reason.empty()) doubt(result, reason);
   BranchEnd start = branch.closed ? at_infinity : branch_end(branch.ends[0], result, reason);
   for (std::size_t k = 0; k < open.points.size(); ++k) {
     const bool is_last = k + 1 == open.points.size();
@@ -389,7 +503,7 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
     result.components.push_back(std::move(piece));
     start = at_infinity;
     first = k + 1;
-    reason.clear();
+    reason = branch.reason;
   }
 }
 

@@ -23,9 +23,19 @@ struct PreparedSurfaces {
   symbolic::RationalSurface first;
   symbolic::RationalSurface second;
   bool with_itself = false;
-  /// Parameters of the problem, u, v, s, t in this order, from those here: which one, and how.
+  /// Which parameter of the problem, in the order u, v, s, t, each of those here is.
   std::array<std::size_t, 4> source{0, 1, 2, 3};
-  std::array<ProjectiveChange, 4> change{};
+  /// u and t for the parameters of the projection, in which nothing particular happens where these are infinite; of
+  /// one surface, for the parameters of each of its two points.
+  std::array<ProjectiveChange, 2> change{};
+
+  /// In the parameters of the projection.
+  symbolic::RationalSurface changed_first() const {
+    return change_parameters(first, {change[0], with_itself ? change[1] : ProjectiveChange()});
+  }
+  symbolic::RationalSurface changed_second() const {
+    return change_parameters(second, {with_itself ? change[0] : ProjectiveChange(), change[1]});
+  }
 };
 
 /// The intersection curve above a squarefree projection, each of whose points has one common point above it in general.
@@ -51,6 +61,8 @@ class WholeCurve {
     std::vector<bool> crosses;
     bool closed = false;
     std::array<std::optional<ArcEnd>, 2> ends;
+    /// Why `errors` are estimates, if some are.
+    std::string reason;
   };
   struct VertexState {
     VertexLifts::Found lift;
@@ -61,6 +73,14 @@ class WholeCurve {
 
   void trace_all(SurfaceResult& result);
   void trace_from(std::size_t seed, SurfaceResult& result);
+  /// From a seed to one side, over gaps that tubes cannot pass but arcs of the projection do.
+  Branch walk(const BranchTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result);
+  void append(Branch& branch, const TracedBranch& traced) const;
+  /// Whether the branch ends at the end of the arc, near which it was left.
+  bool is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceResult& result);
+  std::optional<std::size_t> seed_beyond(const ArcEnd& end, const PointEnclosure& last);
+  /// Bounds the distance of the chord from the branch above the arc between two points of it.
+  std::optional<double> gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to) const;
   std::optional<ArcEnd> arc_end(const TracedBranch& traced, std::size_t seed, bool forward) const;
   VertexState& state(std::size_t vertex, SurfaceResult& result);
   bool is_at_infinity(const TopologyVertex& vertex) const;

@@ -95,33 +95,20 @@ class WholeIntersection {
   /// Parameters in which nothing particular happens where they are infinite.
   void choose_parameters() {
     if (are_polynomial()) return;
-    const PreparedSurfaces original = *surfaces_;
     const BezoutianEliminant of_original = eliminant_;
     const bool hides = hides_components_at_infinity();
     for (const ProjectiveChange& change : changes) {
-      // The kept parameters are changed: u and t, of one surface the same two lines for both of its points.
-      PreparedSurfaces changed = original;
-      if (!change.is_identity()) {
-        const ProjectiveChange other{change.d, change.b, change.c, change.a};
-        changed.change[0] = change;
-        changed.change[3] = other;
-        if (changed.with_itself) {
-          changed.change[2] = change;
-          changed.change[1] = other;
-        }
-        changed.first = change_parameters(original.first, {changed.change[0], changed.change[1]});
-        changed.second = change_parameters(original.second, {changed.change[2], changed.change[3]});
-      }
-      surfaces_.emplace(changed);
+      surfaces_->change = {change, ProjectiveChange{change.d, change.b, change.c, change.a}};
       if (hides && !change.is_identity()) {
-        eliminant_ = changed.with_itself
-                         ? symbolic::self_intersection_eliminant(changed.first, options_.seed, context_)
-                         : symbolic::intersection_eliminant(changed.first, changed.second, options_.seed, context_);
+        const symbolic::RationalSurface first = surfaces_->changed_first();
+        eliminant_ = surfaces_->with_itself
+                         ? symbolic::self_intersection_eliminant(first, options_.seed, context_)
+                         : symbolic::intersection_eliminant(first, surfaces_->changed_second(), options_.seed, context_);
         if (hides_components_at_infinity()) continue;
       } else if (!change.is_identity()) {
         eliminant_.curve = change_parameters(of_original.curve,
                                              {of_original.curve.degree(0), of_original.curve.degree(1)},
-                                             {changed.change[0], changed.change[3]})
+                                             surfaces_->change)
                                .primitive_part();
       } else if (hides) {
         continue;
