@@ -197,13 +197,18 @@ TracedBranch BranchTracer::trace(std::size_t seed, bool forward, std::size_t ori
   if (((*direction)[seeds_[seed].axis] > 0) != forward)
     for (double& d : *direction) d = -d;
   double step = limits_.first_step;
+  bool unbounded = seeds_[seed].unbounded[forward ? 1 : 0];
+  double farthest = limits_.size;
+  for (const DoubleInterval& x : pair_.point(at.inverted, at.box))
+    if (x.is_finite()) farthest = std::max(farthest, x.magnitude());
+  farthest *= limits_.reach;
   while (result.segments.size() < limits_.most_segments) {
     if (result.segments.size() % 64 == 0) context_.checkpoint("tracing branches");
     at = in_good_charts(pair_, at, *direction);
     for (const DoubleInterval& x : at.box)
       if (x.magnitude() > limits_.largest_parameter) return result;
     for (const DoubleInterval& x : pair_.point(at.inverted, at.box))
-      if (x.is_finite() && x.magnitude() > limits_.reach * limits_.size) return result;
+      if (unbounded && x.is_finite() && x.magnitude() > farthest) return result;
     auto tangent = branch_direction(pair_, centre_of(at));
     if (!tangent) return result;
     double cosine = 0;
@@ -244,6 +249,7 @@ TracedBranch BranchTracer::trace(std::size_t seed, bool forward, std::size_t ori
     result.segments.push_back(*std::move(segment));
     for (const SeedPassage& passage : passages) {
       result.passages.push_back(passage);
+      unbounded = seeds_[passage.seed].unbounded[passage.forward ? 1 : 0];
       if (passage.seed == origin) {
         result.closed = true;
         return result;

@@ -23,6 +23,8 @@ struct BranchSeed {
   /// other points of the projection with that value.
   PointEnclosure point;
   DoubleInterval isolated;
+  /// Whether the arc ends at infinity of space, backward (0) and forward (1) in the chart of the point.
+  std::array<bool, 2> unbounded{};
 };
 
 /// A function of the parameters whose zeros are points without a place in affine space.
@@ -74,7 +76,8 @@ struct TracingLimits {
   /// Largest distance of a chord from the branch, relative to max(size, |point|).
   double tolerance = 1e-4;
   double size = 1;
-  /// Beyond this distance, compared with the size, branches are left; beyond the modulus of a parameter, too.
+  /// Beyond this distance, compared with the size or the seed's, branches above unbounded arcs are left; all of them
+  /// beyond a modulus of their parameters.
   double reach = std::numeric_limits<double>::infinity();
   double largest_parameter = 1e3;
   std::size_t most_segments = 100000;

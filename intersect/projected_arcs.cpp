@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/intersect/projected_arcs.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -108,6 +109,42 @@ std::vector<double> ProjectedArcs::shares_beyond(std::size_t arc, double paramet
     if (beyond) result.push_back((static_cast<double>(at) + 0.25) / last);
   }
   return result;
+}
+
+std::optional<std::size_t> ProjectedArcs::arc_below(const SurfacePair& pair, const PointEnclosure& point,
+                                                    const Context& context) const {
+  BranchPoint start{point.inverted, {}};
+  for (std::size_t i = 0; i < 4; ++i) start.at[i] = middle(point.box[i]);
+  const auto above = enclose_branch_point(pair, start, 0);
+  if (!above) return std::nullopt;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (!overlap(above->box[i], point.box[i])) return std::nullopt;
+  const symbolic::Rational u = exact(start.at[0]);
+  if (u.is_zero() && point.inverted[0]) return std::nullopt;
+  const double x = from_chart(0, point.inverted[0])(start.at[0]);
+  const DoubleInterval y = projection(*above)[1];
+  bridge::RationalFibre fibre(hidden_[0], from_chart(0, point.inverted[0])(u), context);
+  std::optional<std::size_t> index;
+  for (std::size_t k = 0; k < fibre.count(); ++k) {
+    if (!overlap(interval_of(fibre.refined(k, 60)), y)) continue;
+    if (index) return std::nullopt;
+    index = k;
+  }
+  if (!index) return std::nullopt;
+  // Polylines of arcs do not cross: their order is that of the roots.
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t arc = 0; arc < arcs_.size(); ++arc) {
+    if (arcs_[arc].vertical || !(arcs_[arc].inside.lower < x && x < arcs_[arc].inside.upper)) continue;
+    const auto& polyline = topology_.edges[arc].polyline;
+    const auto next = std::find_if(polyline.begin(), polyline.end(), [&](const auto& p) { return p[0] >= x; });
+    if (next == polyline.begin() || next == polyline.end()) return std::nullopt;
+    const auto& [x1, y1] = *next;
+    const auto& [x0, y0] = *(next - 1);
+    order.emplace_back(y0 + (y1 - y0) * (x - x0) / (x1 - x0), arc);
+  }
+  if (order.size() != fibre.count()) return std::nullopt;
+  std::sort(order.begin(), order.end());
+  return order[*index].second;
 }
 
 std::array<DoubleInterval, 2> ProjectedArcs::projection(const PointEnclosure& point) const {

@@ -41,6 +41,9 @@ class ProjectedArcs {
   /// The shares at which the polyline of an arc has points beyond a parameter, in the direction of its end 0 or 1,
   /// nearest first.
   std::vector<double> shares_beyond(std::size_t arc, double parameter, std::size_t end) const;
+  /// The arc, no part of a vertical line, below a point of the intersection; nullopt where that is not clear.
+  std::optional<std::size_t> arc_below(const SurfacePair& pair, const PointEnclosure& point,
+                                       const Context& context) const;
   /// The parameters of the projection of a point.
   std::array<DoubleInterval, 2> projection(const PointEnclosure& point) const;
   /// All of the arc between the abscissae of two of its points lies in the box of both that is returned: the curve does

@@ -127,7 +127,7 @@ VertexLifts::Found VertexLifts::above(const TopologyVertex& vertex, const std::a
   const Charts charts{inverted[0], false, false, inverted[1]};
   Found found;
   const bool one_point = has_corank_one(vertex);
-  for (const double side : {0x1p-10, 0x1p-16, 0x1p-22}) {
+  for (const double side : {0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22}) {
     const auto boxes = fibre_boxes(pair_, charts, kept[0], kept[1], side, 20000);
     if (!boxes) return found;
     std::vector<FibreBox> groups;
@@ -146,11 +146,9 @@ VertexLifts::Found VertexLifts::above(const TopologyVertex& vertex, const std::a
       groups.push_back(*box);
     }
     if (one_point) {
-      if (side < 0x1p-20 && groups.size() == 1) {
-        found.lift = VertexLift::one_point;
-        found.box = groups.front();
-        return found;
-      }
+      if (groups.size() != 1) continue;
+      found.lift = VertexLift::one_point;
+      found.box = groups.front();
       continue;
     }
     if (groups.empty()) {

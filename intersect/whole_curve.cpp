@@ -65,6 +65,7 @@ void WholeCurve::trace_all(SurfaceResult& result) {
     for (const DoubleInterval& x : pair_.point(seed->point.inverted, seed->point.box))
       if (x.is_finite()) reach = std::max(reach, std::fabs(middle(x)));
     sizes.push_back(reach);
+    mark_unbounded(*seed);
     seeds_.push_back(*std::move(seed));
   }
   if (!seedless.empty())
@@ -76,13 +77,24 @@ void WholeCurve::trace_all(SurfaceResult& result) {
   if (are_polynomial()) limits_.reach = 10 * drawn_reach;
   visits_.assign(seeds_.size(), 0);
   const std::size_t arcs = seeds_.size();
+  std::vector<Branch> branches;
   for (std::size_t seed = 0; seed < arcs; ++seed)
-    if (visits_[seed] == 0) trace_from(seed, result);
+    if (visits_[seed] == 0) branches.push_back(trace_from(seed, result));
+  if (surfaces_.with_itself) fold(branches, result);
+  for (const Branch& branch : branches) add_components(branch, result);
   if (std::any_of(visits_.begin(), visits_.end(), [](std::size_t visits) { return visits != 1; }))
     doubt(result, "an arc was traced more than once");
 }
 
-void WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
+void WholeCurve::mark_unbounded(BranchSeed& seed) const {
+  const ProjectedArc& arc = arcs_.arcs()[seed.arc];
+  const bool increasing = arcs_.from_chart(seed.axis == 0 ? 0 : 1, seed.point.inverted[seed.axis]).is_increasing();
+  for (std::size_t end = 0; end < 2; ++end)
+    seed.unbounded[increasing ? end : 1 - end] =
+        are_polynomial() && arcs_.topology().vertices[arc.ends[end]].kind == VertexKind::infinity;
+}
+
+WholeCurve::Branch WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
   const BranchTracer tracer(pair_, seeds_, weights_, limits_, context_);
   ++visits_[seed];
   Branch branch = walk(tracer, seed, true, result);
@@ -92,6 +104,9 @@ void WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
     std::reverse(back.errors.begin(), back.errors.end());
     std::reverse(back.crosses.begin(), back.crosses.end());
     back.points.pop_back();
+    for (std::size_t& gap : branch.gaps) gap += back.errors.size();
+    for (const std::size_t gap : back.gaps) branch.gaps.push_back(back.errors.size() - 1 - gap);
+    branch.tubes.insert(branch.tubes.end(), back.tubes.begin(), back.tubes.end());
     branch.points.insert(branch.points.begin(), back.points.begin(), back.points.end());
     branch.errors.insert(branch.errors.begin(), back.errors.begin(), back.errors.end());
     branch.crosses.insert(branch.crosses.begin(), back.crosses.begin(), back.crosses.end());
@@ -100,7 +115,7 @@ void WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
   } else {
     branch.points.back() = branch.points.front();
   }
-  add_components(branch, result);
+  return branch;
 }
 
 void WholeCurve::append(Branch& branch, const TracedBranch& traced) const {
@@ -108,6 +123,7 @@ void WholeCurve::append(Branch& branch, const TracedBranch& traced) const {
     branch.points.push_back(segment.end);
     branch.errors.push_back(segment.error);
     branch.crosses.push_back(segment.crosses_infinity);
+    if (surfaces_.with_itself) branch.tubes.push_back(segment.tube);
   }
 }
 
@@ -137,8 +153,11 @@ WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed
     const PointEnclosure beyond = back.segments.empty() ? seeds_[from].point : back.segments.back().end;
     auto error = gap_error(arc, branch.points.back(), beyond);
     if (!error) branch.reason = "how far the polyline is from the curve is not proven near a point that tubes cannot pass";
+    branch.gaps.push_back(branch.errors.size());
     branch.errors.push_back(error.value_or(0));
     branch.crosses.push_back(false);
+    if (surfaces_.with_itself)
+      for (const BranchSegment& segment : back.segments) branch.tubes.push_back(segment.tube);
     for (std::size_t k = back.segments.size(); k-- > 0;) {
       branch.points.push_back(back.segments[k].end);
       branch.errors.push_back(back.segments[k].error);
@@ -169,9 +188,10 @@ bool WholeCurve::is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceRe
 std::optional<std::size_t> WholeCurve::seed_beyond(const ArcEnd& end, const PointEnclosure& last) {
   const double parameter = middle(arcs_.projection(last)[0]);
   const std::vector<double> shares = arcs_.shares_beyond(end.arc, parameter, end.end);
-  for (std::size_t k = 0; k < shares.size() && k < 6; ++k) {
+  for (std::size_t k = 0; k < shares.size(); k = k < 4 ? k + 1 : 2 * k) {
     auto seed = arcs_.seed_above(pair_, end.arc, shares[k], context_);
     if (!seed) continue;
+    mark_unbounded(*seed);
     seeds_.push_back(*std::move(seed));
     visits_.push_back(1);
     return seeds_.size() - 1;
@@ -227,11 +247,21 @@ std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced
              arcs_.topology().vertices[arc.ends[end]].kind == VertexKind::infinity;
     };
     if (!(arc.inside.lower < at.lower || is_free(0)) || !(at.upper < arc.inside.upper || is_free(1)))
-      return std::nullopt;
+      return arc_end_below(traced.segments.back());
   }
   const bool increasing =
       forward == arcs_.from_chart(start.axis == 0 ? 0 : 1, start.point.inverted[start.axis]).is_increasing();
   return ArcEnd{start.arc, increasing ? std::size_t{1} : std::size_t{0}};
+}
+
+std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end_below(const BranchSegment& last) const {
+  const auto arc = arcs_.arc_below(pair_, last.end, context_);
+  if (!arc) return std::nullopt;
+  const DoubleInterval speed = last.tube.velocity[0];
+  if (!speed.excludes_zero()) return std::nullopt;
+  const bool along = last.tube.centre.at[last.tube.axis] < middle(last.end.box[last.tube.axis]);
+  const bool increasing = ((speed.lower > 0) == along) == arcs_.from_chart(0, last.end.inverted[0]).is_increasing();
+  return ArcEnd{*arc, increasing ? std::size_t{1} : std::size_t{0}};
 }
 
 bool WholeCurve::is_at_infinity(const TopologyVertex& vertex) const {
@@ -380,9 +410,16 @@ void WholeCurve::finish_vertices(SurfaceResult& result) {
   }
 }
 
-BranchEnd WholeCurve::branch_end(const std::optional<ArcEnd>& end, SurfaceResult& result, std::string& reason) {
+BranchEnd WholeCurve::branch_end(const Branch& branch, std::size_t which, SurfaceResult& result,
+                                 std::string& reason) {
   BranchEnd found;
+  if (branch.pinch_points[which]) {
+    found.kind = BranchEndKind::singular;
+    found.singular_point = branch.pinch_points[which];
+    return found;
+  }
   found.kind = BranchEndKind::unknown;
+  const std::optional<ArcEnd>& end = branch.ends[which];
   if (end) {
     const std::size_t vertex = arcs_.arcs()[end->arc].ends[end->end];
     VertexState& there = state(vertex, result);
@@ -457,6 +494,96 @@ void WholeCurve::close_gaps(SurfaceComponent& piece, const SurfaceResult& result
   }
 }
 
+void WholeCurve::fold(std::vector<Branch>& branches, SurfaceResult& result) {
+  const auto exchanged = [](const PointEnclosure& point) {
+    return PointEnclosure{{point.inverted[2], point.inverted[3], point.inverted[0], point.inverted[1]},
+                          {point.box[2], point.box[3], point.box[0], point.box[1]}};
+  };
+  const auto lies_on = [](const PointEnclosure& point, const Branch& branch) {
+    return std::any_of(branch.tubes.begin(), branch.tubes.end(), [&](const BranchTube& tube) {
+      return tube.holds(in_charts(point.box, point.inverted, tube.centre.inverted));
+    });
+  };
+  const auto maps_to = [&](const Branch& from, const Branch& to) {
+    const std::size_t stride = std::max<std::size_t>(1, from.points.size() / 64);
+    for (std::size_t k = 0; k < from.points.size(); k += stride)
+      if (lies_on(exchanged(from.points[k]), to)) return true;
+    return false;
+  };
+  std::vector<Branch> kept;
+  std::vector<bool> used(branches.size(), false);
+  for (std::size_t k = 0; k < branches.size(); ++k) {
+    if (used[k]) continue;
+    bool found = false;
+    for (std::size_t other = k; other < branches.size() && !found; ++other) {
+      if (used[other] || !maps_to(branches[k], branches[other])) continue;
+      found = used[other] = true;
+      branches[k].mirrored = other == k;
+    }
+    if (!found) doubt(result, "the other preimages of a branch of double points were not found");
+    if (branches[k].mirrored) halve(branches[k], result);
+    kept.push_back(std::move(branches[k]));
+  }
+  branches = std::move(kept);
+}
+
+void WholeCurve::halve(Branch& branch, SurfaceResult& result) {
+  // The exchange of both points turns the branch round: its fixed points, at which these are one, are pinch points. No
+  // tube contains such a point.
+  std::vector<std::size_t> turning;
+  for (const std::size_t gap : branch.gaps) {
+    bool turns = true;
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      const auto difference = [&](const PointEnclosure& point) {
+        const double a = middle(point.box[i]);
+        const double b = middle(in_charts(point.box, point.inverted, {point.inverted[0], point.inverted[1],
+                                                                      point.inverted[0], point.inverted[1]})[i + 2]);
+        return (b - a) * (point.inverted[i] ? -1 : 1);
+      };
+      turns = turns && difference(branch.points[gap]) * difference(branch.points[gap + 1]) < 0;
+    }
+    if (turns) turning.push_back(gap);
+  }
+  std::sort(turning.begin(), turning.end());
+  if (turning.size() != (branch.closed ? 2U : 1U)) {
+    doubt(result, "the pinch points of a branch were not found");
+    return;
+  }
+  const auto pinch_point = [&](std::size_t gap) {
+    SurfaceSingularPoint point;
+    const SurfacePoint before = presented(branch.points[gap]);
+    const SurfacePoint after = presented(branch.points[gap + 1]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      // Of both points, exchanged.
+      const double first = before.parameters[i] + after.parameters[i];
+      const double second = before.parameters[(i + 2) % 4] + after.parameters[(i + 2) % 4];
+      point.at.parameters[i] = (first + second) / 4;
+    }
+    for (std::size_t i = 0; i < 3; ++i) point.at.point[i] = (before.point[i] + after.point[i]) / 2;
+    for (std::size_t i = 0; i < 4; ++i)
+      point.radius = std::max(point.radius, std::fabs(before.parameters[i] - after.parameters[i]));
+    point.radius = std::max(point.radius, branch.errors[gap]);
+    point.kind = SurfaceSingularity::pinch_point;
+    point.half_branches = 1;
+    point.certified = branch.reason.empty();
+    point.reason = branch.reason;
+    result.singular_points.push_back(point);
+    return result.singular_points.size() - 1;
+  };
+  const std::size_t first = turning.front();
+  const std::size_t last = branch.closed ? turning.back() : branch.errors.size();
+  branch.pinch_points[0] = pinch_point(first);
+  if (branch.closed) branch.pinch_points[1] = pinch_point(last);
+  const auto part = [&](auto& list, std::size_t from, std::size_t to) {
+    list.erase(list.begin() + static_cast<long>(to), list.end());
+    list.erase(list.begin(), list.begin() + static_cast<long>(from));
+  };
+  part(branch.points, first + 1, last + 1);
+  part(branch.errors, first + 1, last);
+  part(branch.crosses, first + 1, last);
+  branch.closed = false;
+}
+
 void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
   std::vector<std::size_t> cuts;
   for (std::size_t k = 0; k < branch.crosses.size(); ++k)
@@ -468,6 +595,7 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
     SurfaceComponent loop = component(branch, 0, last, false, false);
     loop.kind = SurfaceComponentKind::loop;
     loop.reason = branch.reason;
+    loop.mirrored = branch.mirrored;
     loop.certified = branch.reason.empty();
     if (!branch.reason.empty()) doubt(result, branch.reason);
     result.components.push_back(std::move(loop));
@@ -487,17 +615,18 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
   std::size_t first = 0;
   std::string reason = branch.reason;
   if (!reason.empty()) doubt(result, reason);
-  BranchEnd start = branch.closed ? at_infinity : branch_end(branch.ends[0], result, reason);
+  BranchEnd start = branch.closed ? at_infinity : branch_end(branch, 0, result, reason);
   for (std::size_t k = 0; k < open.points.size(); ++k) {
     const bool is_last = k + 1 == open.points.size();
     if (!is_last && !open.crosses[k]) continue;
     const BranchEnd end =
-        is_last && !branch.closed ? branch_end(branch.ends[1], result, reason) : at_infinity;
+        is_last && !branch.closed ? branch_end(branch, 1, result, reason) : at_infinity;
     SurfaceComponent piece = component(open, first, k, start.kind == BranchEndKind::infinity,
                                        end.kind == BranchEndKind::infinity);
     piece.start = start;
     piece.end = end;
     close_gaps(piece, result);
+    piece.mirrored = branch.mirrored;
     piece.certified = reason.empty();
     piece.reason = reason;
     result.components.push_back(std::move(piece));

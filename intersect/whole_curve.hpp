@@ -59,8 +59,14 @@ class WholeCurve {
     /// Between a point and the next one.
     std::vector<double> errors;
     std::vector<bool> crosses;
+    /// Of those between two points, which no tube proves.
+    std::vector<std::size_t> gaps;
+    std::vector<BranchTube> tubes;
+    bool mirrored = false;
     bool closed = false;
     std::array<std::optional<ArcEnd>, 2> ends;
+    /// Pinch points take the place of ends.
+    std::array<std::optional<std::size_t>, 2> pinch_points;
     /// Why `errors` are estimates, if some are.
     std::string reason;
   };
@@ -72,7 +78,8 @@ class WholeCurve {
   };
 
   void trace_all(SurfaceResult& result);
-  void trace_from(std::size_t seed, SurfaceResult& result);
+  void mark_unbounded(BranchSeed& seed) const;
+  Branch trace_from(std::size_t seed, SurfaceResult& result);
   /// From a seed to one side, over gaps that tubes cannot pass but arcs of the projection do.
   Branch walk(const BranchTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result);
   void append(Branch& branch, const TracedBranch& traced) const;
@@ -82,13 +89,19 @@ class WholeCurve {
   /// Bounds the distance of the chord from the branch above the arc between two points of it.
   std::optional<double> gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to) const;
   std::optional<ArcEnd> arc_end(const TracedBranch& traced, std::size_t seed, bool forward) const;
+  /// Where the arc below the end of a segment leads.
+  std::optional<ArcEnd> arc_end_below(const BranchSegment& last) const;
   VertexState& state(std::size_t vertex, SurfaceResult& result);
   bool is_at_infinity(const TopologyVertex& vertex) const;
   void add_singular_point(std::size_t vertex, VertexState& state, SurfaceResult& result);
   void finish_vertices(SurfaceResult& result);
-  BranchEnd branch_end(const std::optional<ArcEnd>& end, SurfaceResult& result, std::string& reason);
+  BranchEnd branch_end(const Branch& branch, std::size_t end, SurfaceResult& result, std::string& reason);
   /// Draws an arc up to the singular points at its ends.
   void close_gaps(SurfaceComponent& piece, const SurfaceResult& result) const;
+  /// Of a surface with itself: of every two branches that the exchange of both points maps to each other one remains;
+  /// of a branch mapped to itself the half from pinch point to its end, or to the next pinch point.
+  void fold(std::vector<Branch>& branches, SurfaceResult& result);
+  void halve(Branch& branch, SurfaceResult& result);
   void add_components(const Branch& branch, SurfaceResult& result);
   SurfaceComponent component(const Branch& branch, std::size_t first, std::size_t last, bool from_infinity,
                              bool to_infinity) const;
