@@ -72,43 +72,72 @@ std::array<DoubleInterval, 2> ProjectedArcs::enclosure(std::size_t vertex) const
   return {interval_of(topology_.vertices[vertex].x), interval_of(topology_.vertices[vertex].y)};
 }
 
-std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::isolated_root(std::size_t arc,
-                                                                          const symbolic::Rational& value, double near,
-                                                                          const Context& context) const {
-  const bool vertical = arcs_[arc].vertical;
-  bridge::RationalFibre fibre(hidden_[vertical ? 1 : 0], value, context);
+double ProjectedArcs::parameter_at(std::size_t arc, double share) const {
+  const auto& polyline = topology_.edges[arc].polyline;
+  const std::size_t own = arcs_[arc].vertical ? 1 : 0;
+  const double position = share * static_cast<double>(polyline.size() - 1);
+  const auto k = std::min(static_cast<std::size_t>(position), polyline.size() - 2);
+  return polyline[k][own] + (position - static_cast<double>(k)) * (polyline[k + 1][own] - polyline[k][own]);
+}
+
+std::vector<double> ProjectedArcs::parameters_beyond(std::size_t arc, double parameter, std::size_t end) const {
+  const double limit = end == 1 ? arcs_[arc].inside.upper : arcs_[arc].inside.lower;
+  const double sign = end == 1 ? 1 : -1;
+  const double room = std::min(1 + std::fabs(parameter), sign * (limit - parameter));
+  std::vector<double> result;
+  for (const double share : {1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
+    if (room > 0) result.push_back(parameter + sign * share * room);
+  return result;
+}
+
+std::vector<std::size_t> ProjectedArcs::arcs_at(double x) const {
+  // Polylines of arcs do not cross, so that their order is that of the arcs. Beyond its polyline an arc goes to
+  // infinity, in the order of its last points or along an asymptote.
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t arc = 0; arc < arcs_.size(); ++arc) {
+    if (arcs_[arc].vertical || !(arcs_[arc].inside.lower < x && x < arcs_[arc].inside.upper)) continue;
+    const auto& polyline = topology_.edges[arc].polyline;
+    const auto next = std::find_if(polyline.begin(), polyline.end(), [&](const auto& p) { return p[0] >= x; });
+    if (next == polyline.begin() || next == polyline.end()) {
+      const bool before = next == polyline.begin();
+      const int sign = topology_.vertices[arcs_[arc].ends[before ? 0 : 1]].y_infinite;
+      order.emplace_back(sign != 0 ? sign * infinite : (before ? polyline.front() : polyline.back())[1], arc);
+      continue;
+    }
+    const auto& [x1, y1] = *next;
+    const auto& [x0, y0] = *(next - 1);
+    order.emplace_back(y0 + (y1 - y0) * (x - x0) / (x1 - x0), arc);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> result;
+  for (const auto& [y, arc] : order) result.push_back(arc);
+  return result;
+}
+
+std::vector<DoubleInterval> ProjectedArcs::roots_at(std::size_t kept, const symbolic::Rational& value,
+                                                    const Context& context) const {
+  bridge::RationalFibre fibre(hidden_[kept], value, context);
   std::vector<DoubleInterval> roots;
   for (std::size_t k = 0; k < fibre.count(); ++k) roots.push_back(interval_of(fibre.refined(k, 60)));
-  // A point of a polyline is within the error of its arc: exactly one root may be that near.
-  const double tolerance = 4 * topology_.error + 1e-9 * (1 + std::fabs(near));
+  return roots;
+}
+
+std::optional<std::size_t> ProjectedArcs::root_of(std::size_t arc, double parameter,
+                                                  const std::vector<DoubleInterval>& roots) const {
+  if (!arcs_[arc].vertical) {
+    const std::vector<std::size_t> arcs = arcs_at(parameter);
+    if (arcs.size() != roots.size()) return std::nullopt;
+    return static_cast<std::size_t>(std::find(arcs.begin(), arcs.end(), arc) - arcs.begin());
+  }
+  // The line x = alpha itself: alpha is enclosed by the coordinates of the vertices at its ends.
   std::optional<std::size_t> found;
+  const DoubleInterval alpha = interval_of(topology_.vertices[arcs_[arc].ends[0]].x);
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    if (!overlap(roots[k], DoubleInterval(near - tolerance, near + tolerance))) continue;
+    if (!overlap(roots[k], alpha)) continue;
     if (found) return std::nullopt;
     found = k;
   }
-  if (!found) return std::nullopt;
-  const DoubleInterval root = roots[*found];
-  double gap = 1 + std::fabs(near);
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    if (k != *found)
-      gap = std::min(gap, k < *found ? root.lower - roots[k].upper : roots[k].lower - root.upper);
-  if (!(gap > 0)) return std::nullopt;
-  return std::array<DoubleInterval, 2>{root, DoubleInterval(root.lower - gap / 3, root.upper + gap / 3)};
-}
-
-std::vector<double> ProjectedArcs::shares_beyond(std::size_t arc, double parameter, std::size_t end) const {
-  const auto& polyline = topology_.edges[arc].polyline;
-  const std::size_t own = arcs_[arc].vertical ? 1 : 0;
-  std::vector<double> result;
-  if (arcs_[arc].vertical) return result;
-  const double last = static_cast<double>(polyline.size() - 1);
-  for (std::size_t k = 1; k + 1 < polyline.size(); ++k) {
-    const std::size_t at = end == 1 ? k : polyline.size() - 1 - k;
-    const bool beyond = end == 1 ? polyline[at][own] > parameter : polyline[at][own] < parameter;
-    if (beyond) result.push_back((static_cast<double>(at) + 0.25) / last);
-  }
-  return result;
+  return found;
 }
 
 std::optional<std::size_t> ProjectedArcs::arc_below(const SurfacePair& pair, const PointEnclosure& point,
@@ -123,28 +152,17 @@ std::optional<std::size_t> ProjectedArcs::arc_below(const SurfacePair& pair, con
   if (u.is_zero() && point.inverted[0]) return std::nullopt;
   const double x = from_chart(0, point.inverted[0])(start.at[0]);
   const DoubleInterval y = projection(*above)[1];
-  bridge::RationalFibre fibre(hidden_[0], from_chart(0, point.inverted[0])(u), context);
+  const std::vector<DoubleInterval> roots = roots_at(0, from_chart(0, point.inverted[0])(u), context);
+  const std::vector<std::size_t> arcs = arcs_at(x);
+  if (arcs.size() != roots.size()) return std::nullopt;
   std::optional<std::size_t> index;
-  for (std::size_t k = 0; k < fibre.count(); ++k) {
-    if (!overlap(interval_of(fibre.refined(k, 60)), y)) continue;
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    if (!overlap(roots[k], y)) continue;
     if (index) return std::nullopt;
     index = k;
   }
   if (!index) return std::nullopt;
-  // Polylines of arcs do not cross: their order is that of the roots.
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t arc = 0; arc < arcs_.size(); ++arc) {
-    if (arcs_[arc].vertical || !(arcs_[arc].inside.lower < x && x < arcs_[arc].inside.upper)) continue;
-    const auto& polyline = topology_.edges[arc].polyline;
-    const auto next = std::find_if(polyline.begin(), polyline.end(), [&](const auto& p) { return p[0] >= x; });
-    if (next == polyline.begin() || next == polyline.end()) return std::nullopt;
-    const auto& [x1, y1] = *next;
-    const auto& [x0, y0] = *(next - 1);
-    order.emplace_back(y0 + (y1 - y0) * (x - x0) / (x1 - x0), arc);
-  }
-  if (order.size() != fibre.count()) return std::nullopt;
-  std::sort(order.begin(), order.end());
-  return order[*index].second;
+  return arcs[*index];
 }
 
 std::array<DoubleInterval, 2> ProjectedArcs::projection(const PointEnclosure& point) const {
@@ -172,39 +190,38 @@ std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::box_between(std::siz
   return std::nullopt;
 }
 
-std::optional<BranchSeed> ProjectedArcs::seed_above(const SurfacePair& pair, std::size_t arc, double share,
+std::optional<BranchSeed> ProjectedArcs::seed_above(const SurfacePair& pair, std::size_t arc, double parameter,
                                                     const Context& context) const {
   const ProjectedArc& where = arcs_[arc];
-  const auto& polyline = topology_.edges[arc].polyline;
   const std::size_t own = where.vertical ? 1 : 0;
-  const double position = share * static_cast<double>(polyline.size() - 1);
-  const auto k = std::min(static_cast<std::size_t>(position), polyline.size() - 2);
-  std::array<double, 2> start = polyline[k];
-  if (where.vertical)
-    for (std::size_t i = 0; i < 2; ++i)
-      start[i] += (position - static_cast<double>(k)) * (polyline[k + 1][i] - polyline[k][i]);
-  else if (k == 0)
-    start = polyline[1];
-  if (!(where.inside.lower < start[own] && start[own] < where.inside.upper)) return std::nullopt;
-  // The value is a double in the chart of the point.
+  // The parameter is a double in the chart of the point.
   const auto suits_inverse = [&](std::size_t kept, double value) { return !(std::fabs(changes_[kept](value)) <= 1); };
-  const bool inverted = suits_inverse(own, start[own]);
+  const bool inverted = suits_inverse(own, parameter);
   const ProjectiveChange from = from_chart(own, inverted);
-  const double in_chart = from.inverse()(start[own]);
-  const auto root = isolated_root(arc, from(exact(in_chart)), start[1 - own], context);
-  if (!root) return std::nullopt;
+  const double in_chart = from.inverse()(parameter);
+  if (!std::isfinite(in_chart) || in_chart == 0) return std::nullopt;
+  const symbolic::Rational value = from(exact(in_chart));
+  if (!contains(where.inside, enclose(value)) || enclose(value).lower == where.inside.lower) return std::nullopt;
+  const std::vector<DoubleInterval> roots = roots_at(own, value, context);
+  const auto index = root_of(arc, parameter, roots);
+  if (!index || *index >= roots.size()) return std::nullopt;
+  const DoubleInterval root = roots[*index];
+  double gap = 1 + root.magnitude();
+  if (*index > 0) gap = std::min(gap, root.lower - roots[*index - 1].upper);
+  if (*index + 1 < roots.size()) gap = std::min(gap, roots[*index + 1].lower - root.upper);
+  if (!(gap > 0)) return std::nullopt;
 
   BranchSeed seed;
   seed.arc = arc;
   seed.axis = where.vertical ? 3 : 0;
   const std::size_t other = 3 - seed.axis;
-  const bool other_inverted = suits_inverse(1 - own, middle((*root)[0]));
+  const bool other_inverted = suits_inverse(1 - own, middle(root));
   const Charts charts{own == 0 ? inverted : other_inverted, false, false, own == 0 ? other_inverted : inverted};
   const ProjectiveChange to = from_chart(1 - own, other_inverted).inverse();
   std::array<DoubleInterval, 2> kept;
   kept[own] = DoubleInterval(in_chart);
-  kept[1 - own] = to((*root)[0]);
-  DoubleInterval isolated = to((*root)[1]);
+  kept[1 - own] = to(root);
+  DoubleInterval isolated = to(DoubleInterval(root.lower - gap / 3, root.upper + gap / 3));
   if (!isolated.is_finite()) isolated = kept[1 - own];
   for (const double side : {0.25, 1.0 / 32, 1.0 / 512}) {
     const auto boxes = fibre_boxes(pair, charts, kept[0], kept[1], side, 4000);

@@ -34,13 +34,13 @@ class ProjectedArcs {
 
   const TopologyResult& topology() const { return topology_; }
   const std::vector<ProjectedArc>& arcs() const { return arcs_; }
-  /// A point of the intersection above an interior point of an arc, of which the surfaces have one; nullopt where none
-  /// was proven. `share` in (0, 1) says where on the polyline of the arc.
-  std::optional<BranchSeed> seed_above(const SurfacePair& pair, std::size_t arc, double share,
+  /// A parameter inside an arc, at this share of its polyline: of u, on a vertical line of t.
+  double parameter_at(std::size_t arc, double share) const;
+  /// Parameters on an arc beyond `parameter`, in the direction of its end 0 or 1, nearest first.
+  std::vector<double> parameters_beyond(std::size_t arc, double parameter, std::size_t end) const;
+  /// A point of the intersection above an arc, of which the surfaces have one; nullopt where none was proven.
+  std::optional<BranchSeed> seed_above(const SurfacePair& pair, std::size_t arc, double parameter,
                                        const Context& context) const;
-  /// The shares at which the polyline of an arc has points beyond a parameter, in the direction of its end 0 or 1,
-  /// nearest first.
-  std::vector<double> shares_beyond(std::size_t arc, double parameter, std::size_t end) const;
   /// The arc, no part of a vertical line, below a point of the intersection; nullopt where that is not clear.
   std::optional<std::size_t> arc_below(const SurfacePair& pair, const PointEnclosure& point,
                                        const Context& context) const;
@@ -59,10 +59,12 @@ class ProjectedArcs {
   std::array<DoubleInterval, 2> enclosure(std::size_t vertex) const;
 
  private:
-  /// The other parameter on the arc where its own is `value`, isolated from other points of the projection.
-  std::optional<std::array<DoubleInterval, 2>> isolated_root(std::size_t arc, const symbolic::Rational& value,
-                                                             double near,
-                                                             const Context& context) const;
+  /// The arcs above and below each other at an abscissa, ascending.
+  std::vector<std::size_t> arcs_at(double x) const;
+  /// The roots of D on a line u or t = constant, ascending.
+  std::vector<DoubleInterval> roots_at(std::size_t kept, const symbolic::Rational& value, const Context& context) const;
+  /// Which of the roots on its line belongs to the arc.
+  std::optional<std::size_t> root_of(std::size_t arc, double parameter, const std::vector<DoubleInterval>& roots) const;
 
   TopologyResult topology_;
   std::array<ProjectiveChange, 2> changes_;

@@ -56,7 +56,7 @@ void WholeCurve::trace_all(SurfaceResult& result) {
   for (std::size_t arc = 0; arc < arcs_.arcs().size(); ++arc) {
     std::optional<BranchSeed> seed;
     for (const double share : {0.5, 0.4, 0.6, 0.25, 0.75})
-      if (!seed) seed = arcs_.seed_above(pair_, arc, share, context_);
+      if (!seed) seed = arcs_.seed_above(pair_, arc, arcs_.parameter_at(arc, share), context_);
     if (!seed) {
       seedless.push_back(arc);
       continue;
@@ -186,10 +186,10 @@ bool WholeCurve::is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceRe
 }
 
 std::optional<std::size_t> WholeCurve::seed_beyond(const ArcEnd& end, const PointEnclosure& last) {
+  if (arcs_.arcs()[end.arc].vertical) return std::nullopt;
   const double parameter = middle(arcs_.projection(last)[0]);
-  const std::vector<double> shares = arcs_.shares_beyond(end.arc, parameter, end.end);
-  for (std::size_t k = 0; k < shares.size(); k = k < 4 ? k + 1 : 2 * k) {
-    auto seed = arcs_.seed_above(pair_, end.arc, shares[k], context_);
+  for (const double beyond : arcs_.parameters_beyond(end.arc, parameter, end.end)) {
+    auto seed = arcs_.seed_above(pair_, end.arc, beyond, context_);
     if (!seed) continue;
     mark_unbounded(*seed);
     seeds_.push_back(*std::move(seed));
@@ -225,6 +225,22 @@ std::optional<double> WholeCurve::gap_error(std::size_t arc, const PointEnclosur
   return std::nullopt;
 }
 
+bool WholeCurve::stays_above(std::size_t index, std::size_t axis, const TracedBranch& traced,
+                             std::size_t first_segment) const {
+  const ProjectedArc& arc = arcs_.arcs()[index];
+  for (std::size_t k = first_segment; k < traced.segments.size(); ++k) {
+    const BranchTube& tube = traced.segments[k].tube;
+    const DoubleInterval at = arcs_.from_chart(axis == 0 ? 0 : 1, tube.centre.inverted[axis])(tube.hull[axis]);
+    // Finite points do not reach an end at infinity of two polynomial surfaces.
+    const auto is_free = [&](std::size_t end) {
+      return !traced.segments[k].crosses_infinity && are_polynomial() &&
+             arcs_.topology().vertices[arc.ends[end]].kind == VertexKind::infinity;
+    };
+    if (!(arc.inside.lower < at.lower || is_free(0)) || !(at.upper < arc.inside.upper || is_free(1))) return false;
+  }
+  return true;
+}
+
 std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced, std::size_t seed,
                                                       bool forward) const {
   std::size_t last = seed;
@@ -234,34 +250,27 @@ std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end(const TracedBranch& traced
     first_segment = traced.passages.back().segment;
     forward = traced.passages.back().forward;
   }
-  const BranchSeed& start = seeds_[last];
-  const ProjectedArc& arc = arcs_.arcs()[start.arc];
   // As long as its parameter stays between the ends of the arc the branch stays above it, and on its side of the seed.
-  for (std::size_t k = first_segment; k < traced.segments.size(); ++k) {
-    const BranchTube& tube = traced.segments[k].tube;
-    const DoubleInterval& in_chart = tube.hull[start.axis];
-    const DoubleInterval at = arcs_.from_chart(start.axis == 0 ? 0 : 1, tube.centre.inverted[start.axis])(in_chart);
-    // Finite points do not reach an end at infinity of two polynomial surfaces.
-    const auto is_free = [&](std::size_t end) {
-      return !traced.segments[k].crosses_infinity && are_polynomial() &&
-             arcs_.topology().vertices[arc.ends[end]].kind == VertexKind::infinity;
-    };
-    if (!(arc.inside.lower < at.lower || is_free(0)) || !(at.upper < arc.inside.upper || is_free(1)))
-      return arc_end_below(traced.segments.back());
+  const BranchSeed& start = seeds_[last];
+  if (stays_above(start.arc, start.axis, traced, first_segment)) {
+    const bool increasing =
+        forward == arcs_.from_chart(start.axis == 0 ? 0 : 1, start.point.inverted[start.axis]).is_increasing();
+    return ArcEnd{start.arc, increasing ? std::size_t{1} : std::size_t{0}};
   }
-  const bool increasing =
-      forward == arcs_.from_chart(start.axis == 0 ? 0 : 1, start.point.inverted[start.axis]).is_increasing();
-  return ArcEnd{start.arc, increasing ? std::size_t{1} : std::size_t{0}};
-}
-
-std::optional<WholeCurve::ArcEnd> WholeCurve::arc_end_below(const BranchSegment& last) const {
-  const auto arc = arcs_.arc_below(pair_, last.end, context_);
-  if (!arc) return std::nullopt;
-  const DoubleInterval speed = last.tube.velocity[0];
-  if (!speed.excludes_zero()) return std::nullopt;
-  const bool along = last.tube.centre.at[last.tube.axis] < middle(last.end.box[last.tube.axis]);
-  const bool increasing = ((speed.lower > 0) == along) == arcs_.from_chart(0, last.end.inverted[0]).is_increasing();
-  return ArcEnd{*arc, increasing ? std::size_t{1} : std::size_t{0}};
+  // It passed a vertex, but no seed since.
+  for (std::size_t back = 1; back <= 8 && back + first_segment <= traced.segments.size(); ++back) {
+    const std::size_t k = traced.segments.size() - back;
+    const BranchSegment& segment = traced.segments[k];
+    const DoubleInterval speed = segment.tube.velocity[0];
+    if (!speed.excludes_zero()) continue;
+    const auto arc = arcs_.arc_below(pair_, segment.end, context_);
+    if (!arc || !stays_above(*arc, 0, traced, k + 1)) continue;
+    const bool along = segment.tube.centre.at[segment.tube.axis] < middle(segment.end.box[segment.tube.axis]);
+    const bool increasing =
+        ((speed.lower > 0) == along) == arcs_.from_chart(0, segment.end.inverted[0]).is_increasing();
+    return ArcEnd{*arc, increasing ? std::size_t{1} : std::size_t{0}};
+  }
+  return std::nullopt;
 }
 
 bool WholeCurve::is_at_infinity(const TopologyVertex& vertex) const {

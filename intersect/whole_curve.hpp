@@ -89,8 +89,8 @@ class WholeCurve {
   /// Bounds the distance of the chord from the branch above the arc between two points of it.
   std::optional<double> gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to) const;
   std::optional<ArcEnd> arc_end(const TracedBranch& traced, std::size_t seed, bool forward) const;
-  /// Where the arc below the end of a segment leads.
-  std::optional<ArcEnd> arc_end_below(const BranchSegment& last) const;
+  /// Whether a traced branch is proven to stay above the inside of an arc, from a segment on.
+  bool stays_above(std::size_t arc, std::size_t axis, const TracedBranch& traced, std::size_t first_segment) const;
   VertexState& state(std::size_t vertex, SurfaceResult& result);
   bool is_at_infinity(const TopologyVertex& vertex) const;
   void add_singular_point(std::size_t vertex, VertexState& state, SurfaceResult& result);

@@ -31,11 +31,20 @@ class WholeIntersection {
     symbolic::install_flint_error_handler();
   }
 
+  /// With the parameters of the projection that prove the most.
   SurfaceResult of_two(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second) {
-    result_.problem = "surface_surface";
-    choose_projection(first, second);
-    solve();
-    return std::move(result_);
+    const auto start = Clock::now();
+    std::optional<SurfaceResult> best;
+    for (const unsigned exchanged : {0U, 1U, 2U, 3U}) {
+      begin(first, second, exchanged);
+      if (eliminant_.vanishing != DeterminantVanishing::overlap && exchanged != 3 && best && !is_one_to_one()) continue;
+      solve();
+      const bool is_better = !best || (best->status == Status::numeric && result_.status != Status::numeric);
+      if (is_better) best = std::move(result_);
+      if (best->status != Status::numeric || !options_.certify) break;
+    }
+    best->seconds.front().second = std::chrono::duration<double>(Clock::now() - start).count();
+    return *std::move(best);
   }
 
   SurfaceResult of_one(const symbolic::RationalSurface& surface) {
@@ -47,29 +56,26 @@ class WholeIntersection {
   }
 
  private:
-  /// Which of its parameters each surface keeps: those for which points of the curve have one common point above them.
-  void choose_projection(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second) {
-    for (const int exchanged : {0, 1, 2, 3}) {
-      const bool exchange_first = (exchanged & 1) != 0;
-      const bool exchange_second = (exchanged & 2) != 0;
-      PreparedSurfaces surfaces{exchange_first ? exchange_parameters(first) : first,
-                                exchange_second ? exchange_parameters(second) : second};
-      if (exchange_first) std::swap(surfaces.source[0], surfaces.source[1]);
-      if (exchange_second) std::swap(surfaces.source[2], surfaces.source[3]);
-      BezoutianEliminant eliminant = symbolic::intersection_eliminant(surfaces.first, surfaces.second, options_.seed,
-                                                                      context_);
-      const bool one_to_one =
-          eliminant.stationary.empty() &&
-          std::all_of(eliminant.components.begin(), eliminant.components.end(), [](const auto& component) {
-            return component.kind != ComponentKind::curve ||
-                   (component.meetings == 1 && component.multiplicity == 1 && !component.infinite_parameters);
-          });
-      if (!surfaces_ || one_to_one) {
-        surfaces_.emplace(std::move(surfaces));
-        eliminant_ = std::move(eliminant);
-      }
-      if (one_to_one || eliminant_.vanishing == DeterminantVanishing::overlap) break;
-    }
+  /// The parameters that the projection keeps: with bit 0 v in place of u, with bit 1 s in place of t.
+  void begin(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second, unsigned exchanged) {
+    result_ = SurfaceResult();
+    proven_ = true;
+    const bool exchange_first = (exchanged & 1U) != 0;
+    const bool exchange_second = (exchanged & 2U) != 0;
+    surfaces_.emplace(PreparedSurfaces{exchange_first ? exchange_parameters(first) : first,
+                                       exchange_second ? exchange_parameters(second) : second});
+    if (exchange_first) std::swap(surfaces_->source[0], surfaces_->source[1]);
+    if (exchange_second) std::swap(surfaces_->source[2], surfaces_->source[3]);
+    eliminant_ = symbolic::intersection_eliminant(surfaces_->first, surfaces_->second, options_.seed, context_);
+  }
+
+  /// Points of the projection have one common point above them in general, and nothing is hidden.
+  bool is_one_to_one() const {
+    return eliminant_.stationary.empty() &&
+           std::all_of(eliminant_.components.begin(), eliminant_.components.end(), [](const auto& component) {
+             return component.kind != ComponentKind::curve ||
+                    (component.meetings == 1 && component.multiplicity == 1 && !component.infinite_parameters);
+           });
   }
 
   void doubt(const std::string& reason) {
@@ -144,7 +150,10 @@ class WholeIntersection {
     report_projection();
     if (eliminant_.vanishing != DeterminantVanishing::no) {
       treat_vanishing();
-      if (result_.status == Status::infinite) return;
+      if (result_.status == Status::infinite) {
+        result_.seconds = {{"total", std::chrono::duration<double>(Clock::now() - start).count()}};
+        return;
+      }
     }
     choose_parameters();
     judge_components();
