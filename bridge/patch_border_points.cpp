@@ -88,10 +88,11 @@ struct BorderProblem {
 class BorderSearch {
  public:
   BorderSearch(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-               const ExactNet& exact_second, const Context& context)
+               const ExactNet& exact_second, const BorderMeetings& meetings, const Context& context)
       : nets_{&first, &second},
         exact_{&exact_first, &exact_second},
         jets_{PatchJets(first), PatchJets(second)},
+        meetings_(meetings),
         context_(context) {}
 
   BorderPoints run() && {
@@ -149,7 +150,8 @@ class BorderSearch {
         const Rational& parameter = (*exact)[k];
         if (parameter.sign() < 0 || Rational(1) < parameter) return;
         if (parameter.is_zero() || (parameter - Rational(1)).is_zero()) set_side(point, problem.place[k], end);
-      } else if (k > 0 && is_on_border_of_patch(problem, point, problem.place[k], end, curve())) {
+      } else if (k > 0 && (is_on_border_of_patch(problem, point, problem.place[k], end, curve()) ||
+                           meets_border(problem, zero, problem.place[k], end))) {
         set_side(point, problem.place[k], end);
       } else {
         leave_open(problem, "it is undecided whether a point of it lies within the other patch");
@@ -198,6 +200,20 @@ class BorderSearch {
     const double slope = std::fabs(here.first[axis % 2][0]);
     const double change = (bounds->second[0] + 2 * bounds->second[1] + bounds->second[2])[0] * 2 * reach;
     return slope > 2 * change + 1e-9 * bounds->first[axis % 2][0];
+  }
+
+  /// Both border curves meet where the zero is, which is the only one near.
+  bool meets_border(const BorderProblem& problem, const IsolatedZero& zero, std::size_t axis, int end) const {
+    const std::size_t along_other = axis % 2 == 0 ? 2 : 1;
+    const bool of_first = problem.axis < 2;
+    const auto meetings =
+        of_first ? meetings_(problem.axis, problem.side, axis, end) : meetings_(axis, end, problem.axis, problem.side);
+    constexpr double accuracy = 1e-11;
+    const double near = zero.radius + accuracy;
+    return std::any_of(meetings.begin(), meetings.end(), [&](const std::array<double, 2>& at) {
+      return near < zero.isolation && std::fabs(at[of_first ? 0 : 1] - zero.parameters[0]) <= near &&
+             std::fabs(at[of_first ? 1 : 0] - zero.parameters[along_other]) <= near;
+    });
   }
 
   void add_contact(const BorderProblem& problem, const RationalZero& contact) {
@@ -313,6 +329,7 @@ class BorderSearch {
   std::array<const ControlNet*, 2> nets_;
   std::array<const ExactNet*, 2> exact_;
   std::array<PatchJets, 2> jets_;
+  const BorderMeetings& meetings_;
   const Context& context_;
   BorderPoints result_;
 };
@@ -320,8 +337,8 @@ class BorderSearch {
 }  // namespace
 
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-                                 const ExactNet& exact_second, const Context& context) {
-  return BorderSearch(first, second, exact_first, exact_second, context).run();
+                                 const ExactNet& exact_second, const BorderMeetings& meetings, const Context& context) {
+  return BorderSearch(first, second, exact_first, exact_second, meetings, context).run();
 }
 
 }  // namespace eliminant::bridge

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,10 +35,15 @@ struct BorderPoints {
   std::vector<OpenBorder> open;
 };
 
+/// Where a border curve of the first patch meets one of the second, proven: the parameters on both curves, in [0, 1],
+/// to within 1e-11. Asked for only where doubles cannot tell.
+using BorderMeetings = std::function<std::vector<std::array<double, 2>>(std::size_t first_axis, int first_side,
+                                                                        std::size_t second_axis, int second_side)>;
+
 /// All points of two tensor-product patches on [0, 1]^2 that lie on the border of one of them: each of the eight border
 /// curves against the other patch. Which of them lie on a border of the other patch, too, is decided exactly: by
-/// rational parameters, or where two border curves lie in one plane that the patch crosses.
+/// rational parameters, where two border curves lie in one plane that the patch crosses, or by `meetings`.
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-                                 const ExactNet& exact_second, const Context& context);
+                                 const ExactNet& exact_second, const BorderMeetings& meetings, const Context& context);
 
 }  // namespace eliminant::bridge

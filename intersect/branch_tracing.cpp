@@ -83,8 +83,7 @@ std::vector<WeightFactor> weight_factors(const symbolic::RationalSurface& first,
                        static_cast<std::size_t>(part.factor.degree(1))};
       factor.coefficients.resize((factor.degree[0] + 1) * (factor.degree[1] + 1));
       for (const auto& term : part.factor.terms())
-        factor.coefficients[term.exponents[0] * (factor.degree[1] + 1) + term.exponents[1]] =
-            enclose(term.coefficient);
+        factor.coefficients[term.exponents[0] * (factor.degree[1] + 1) + term.exponents[1]] = enclose(term.coefficient);
       result.push_back(std::move(factor));
     }
   }
@@ -173,8 +172,8 @@ std::optional<BranchSegment> BranchTracer::advance(const PointEnclosure& from, c
   for (const double x : centre.at) scale = std::max(scale, std::fabs(x));
   const double length = std::copysign(step * scale, direction[axis]);
   const double slack = 2 * largest_width(from.box);
-  const DoubleInterval range = length > 0 ? DoubleInterval(-slack, length * (1 + 1e-9))
-                                          : DoubleInterval(length * (1 + 1e-9), slack);
+  const DoubleInterval range =
+      length > 0 ? DoubleInterval(-slack, length * (1 + 1e-9)) : DoubleInterval(length * (1 + 1e-9), slack);
   auto tube = enclose_branch(pair_, centre, axis, slope, range, 8 * largest_width(from.box) + 1e-15 * scale);
   if (!tube || !tube->holds(from.box)) return std::nullopt;
   BranchPoint next = centre;

@@ -18,9 +18,7 @@ std::array<std::size_t, 3> others(std::size_t axis) {
   return result;
 }
 
-ParameterBox box_of(const BranchPoint& point) {
-  return {point.at[0], point.at[1], point.at[2], point.at[3]};
-}
+ParameterBox box_of(const BranchPoint& point) { return {point.at[0], point.at[1], point.at[2], point.at[3]}; }
 
 Matrix34 midpoint_jacobian(const SurfacePair::Equations& equations) {
   Matrix34 result;
@@ -132,8 +130,8 @@ std::optional<BranchTube> enclose_branch(const SurfacePair& pair, const BranchPo
   const auto hull_of = [&](const std::array<double, 4>& radius) {
     ParameterBox hull;
     for (std::size_t i = 0; i < 4; ++i)
-      hull[i] = DoubleInterval(centre.at[i]) + DoubleInterval(tube.slope[i]) * range +
-                DoubleInterval(-radius[i], radius[i]);
+      hull[i] =
+          DoubleInterval(centre.at[i]) + DoubleInterval(tube.slope[i]) * range + DoubleInterval(-radius[i], radius[i]);
     return hull;
   };
   // Values on the line: F(centre) + difference * (derivative along the line).
@@ -189,8 +187,7 @@ bool approximate_branch_point(const SurfacePair& pair, BranchPoint& point, std::
   for (int step = 0; step < 12; ++step) {
     const auto equations = pair.equations(point.inverted, box_of(point), pair.pivot(point));
     const Eigen::Vector3d value(middle(equations.value[0]), middle(equations.value[1]), middle(equations.value[2]));
-    const Eigen::Vector3d change =
-        without_column(midpoint_jacobian(equations), axis).inverse() * value;
+    const Eigen::Vector3d change = without_column(midpoint_jacobian(equations), axis).inverse() * value;
     double scale = 1;
     for (const double x : point.at) scale = std::max(scale, std::fabs(x));
     if (!change.allFinite() || change.norm() > 4 * scale) return false;

@@ -14,8 +14,8 @@ std::optional<std::vector<FibreBox>> fibre_boxes(const SurfacePair& pair, const 
   std::vector<FibreBox> open;
   for (const bool v_inverted : {false, true})
     for (const bool s_inverted : {false, true})
-      open.push_back({{inverted[0], v_inverted, s_inverted, inverted[3]},
-                      {u, DoubleInterval(-1, 1), DoubleInterval(-1, 1), t}});
+      open.push_back(
+          {{inverted[0], v_inverted, s_inverted, inverted[3]}, {u, DoubleInterval(-1, 1), DoubleInterval(-1, 1), t}});
   std::vector<FibreBox> left;
   std::size_t visited = 0;
   while (!open.empty()) {
@@ -92,8 +92,7 @@ bool is_smooth_branch(const SurfacePair& pair, const FibreBox& box) {
     Eigen::Matrix3d jacobian;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0, column = 0; j < 4; ++j)
-        if (j != axis)
-          jacobian(static_cast<long>(i), static_cast<long>(column++)) = middle(equations.jacobian[i][j]);
+        if (j != axis) jacobian(static_cast<long>(i), static_cast<long>(column++)) = middle(equations.jacobian[i][j]);
     const Eigen::Matrix3d inverse = jacobian.inverse();
     if (!inverse.allFinite()) continue;
     bool regular = true;
@@ -103,8 +102,8 @@ bool is_smooth_branch(const SurfacePair& pair, const FibreBox& box) {
         if (j == axis) continue;
         DoubleInterval entry(i == column ? -1.0 : 0.0);
         for (std::size_t l = 0; l < 3; ++l)
-          entry = entry +
-                  DoubleInterval(inverse(static_cast<long>(i), static_cast<long>(l))) * equations.jacobian[l][j];
+          entry =
+              entry + DoubleInterval(inverse(static_cast<long>(i), static_cast<long>(l))) * equations.jacobian[l][j];
         row += entry.magnitude();
         ++column;
       }

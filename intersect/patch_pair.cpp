@@ -13,6 +13,7 @@
 #include <eliminant/bridge/patch_border_points.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
+#include <eliminant/intersect/border_curves.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/prepared_net.hpp>
@@ -87,8 +88,11 @@ class PatchPair {
   }
 
   void solve() {
-    const bridge::BorderPoints border =
-        bridge::patch_border_points(first_net_, second_net_, first_.exact, second_.exact, context_);
+    const BorderCurves borders(first_.exact, second_.exact, context_);
+    const bridge::BorderPoints border = bridge::patch_border_points(
+        first_net_, second_net_, first_.exact, second_.exact,
+        [&](std::size_t a, int a_side, std::size_t b, int b_side) { return borders.meetings(a, a_side, b, b_side); },
+        context_);
     std::vector<bridge::CrossingPoint> ends;
     for (const bridge::BorderPoint& point : border.points) {
       if (point.arcs == 1) ends.push_back(point);

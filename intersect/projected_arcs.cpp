@@ -182,8 +182,7 @@ std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::box_between(std::siz
     bool free = true;
     for (const double side : {y.lower - room, y.upper + room}) {
       bridge::RationalFibre fibre(hidden_[1], exact(side), context);
-      for (std::size_t k = 0; k < fibre.count(); ++k)
-        free = free && !overlap(interval_of(fibre.refined(k, 60)), x);
+      for (std::size_t k = 0; k < fibre.count(); ++k) free = free && !overlap(interval_of(fibre.refined(k, 60)), x);
     }
     if (free) return std::array<DoubleInterval, 2>{x, DoubleInterval(y.lower - room, y.upper + room)};
   }

@@ -26,7 +26,8 @@ struct ProjectiveChange {
     return {a * other.a + b * other.c, a * other.b + b * other.d, c * other.a + d * other.c, c * other.b + d * other.d};
   }
   double operator()(double y) const {
-    return (static_cast<double>(a) * y + static_cast<double>(b)) / (static_cast<double>(c) * y + static_cast<double>(d));
+    return (static_cast<double>(a) * y + static_cast<double>(b)) /
+           (static_cast<double>(c) * y + static_cast<double>(d));
   }
   /// Throws InvalidInput where x is infinite.
   symbolic::Rational operator()(const symbolic::Rational& y) const {
@@ -37,9 +38,7 @@ struct ProjectiveChange {
 };
 
 /// The chart of a projective line in which a parameter is its own inverse, or itself.
-inline ProjectiveChange chart(bool inverted) {
-  return inverted ? ProjectiveChange{0, 1, 1, 0} : ProjectiveChange{};
-}
+inline ProjectiveChange chart(bool inverted) { return inverted ? ProjectiveChange{0, 1, 1, 0} : ProjectiveChange{}; }
 
 /// p with the changes made in its variables, times the least powers of their denominators: of the same degrees, or
 /// lower ones where p vanishes at the parameter that becomes infinite. Two variables.

@@ -75,7 +75,8 @@ bool is_injective(const SurfaceCharts& surface, const std::array<bool, 2>& inver
         for (long i = 0; i < 2; ++i) {
           double row = 0;
           for (std::size_t j = 0; j < 2; ++j)
-            row += (DoubleInterval(inverse_matrix(i, 0)) * slope[a][j] + DoubleInterval(inverse_matrix(i, 1)) * slope[b][j] -
+            row += (DoubleInterval(inverse_matrix(i, 0)) * slope[a][j] +
+                    DoubleInterval(inverse_matrix(i, 1)) * slope[b][j] -
                     DoubleInterval(static_cast<std::size_t>(i) == j ? 1.0 : 0.0))
                        .magnitude();
           regular = regular && row < 0.9;
@@ -92,8 +93,8 @@ double to_double(const RealBall& ball) { return arf_get_d(arb_midref(ball.get())
 
 bool VertexLifts::has_corank_one(const TopologyVertex& vertex) const {
   const long precision = 256;
-  const auto matrix = matrix_at(matrix_, RealBall(vertex.x.ball.real()), RealBall(vertex.y.ball.real()), with_itself_,
-                                precision);
+  const auto matrix =
+      matrix_at(matrix_, RealBall(vertex.x.ball.real()), RealBall(vertex.y.ball.real()), with_itself_, precision);
   const std::size_t n = matrix.size();
   if (n == 0) return false;
   // [B w; w^T 0] is regular for some w if and only if the rank of the symmetric B is at least n - 1.

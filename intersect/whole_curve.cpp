@@ -43,8 +43,7 @@ void WholeCurve::doubt(SurfaceResult& result, const std::string& reason) {
 }
 
 bool WholeCurve::find(SurfaceResult& result) {
-  if (arcs_.topology().status != Status::certified)
-    doubt(result, "the topology of the projection is not proven");
+  if (arcs_.topology().status != Status::certified) doubt(result, "the topology of the projection is not proven");
   trace_all(result);
   finish_vertices(result);
   return proven_;
@@ -127,8 +126,7 @@ void WholeCurve::append(Branch& branch, const TracedBranch& traced) const {
   }
 }
 
-WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed, bool forward,
-                                    SurfaceResult& result) {
+WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result) {
   Branch branch;
   branch.points.push_back(seeds_[seed].point);
   std::size_t from = seed;
@@ -152,7 +150,8 @@ WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed
     for (const SeedPassage& passage : back.passages) ++visits_[passage.seed];
     const PointEnclosure beyond = back.segments.empty() ? seeds_[from].point : back.segments.back().end;
     auto error = gap_error(arc, branch.points.back(), beyond);
-    if (!error) branch.reason = "how far the polyline is from the curve is not proven near a point that tubes cannot pass";
+    if (!error)
+      branch.reason = "how far the polyline is from the curve is not proven near a point that tubes cannot pass";
     branch.gaps.push_back(branch.errors.size());
     branch.errors.push_back(error.value_or(0));
     branch.crosses.push_back(false);
@@ -419,8 +418,7 @@ void WholeCurve::finish_vertices(SurfaceResult& result) {
   }
 }
 
-BranchEnd WholeCurve::branch_end(const Branch& branch, std::size_t which, SurfaceResult& result,
-                                 std::string& reason) {
+BranchEnd WholeCurve::branch_end(const Branch& branch, std::size_t which, SurfaceResult& result, std::string& reason) {
   BranchEnd found;
   if (branch.pinch_points[which]) {
     found.kind = BranchEndKind::singular;
@@ -452,9 +450,7 @@ SurfacePoint WholeCurve::presented(const PointEnclosure& point) const {
   SurfacePoint result;
   for (std::size_t i = 0; i < 4; ++i) {
     const double value = middle(point.box[i]);
-    const double affine = !point.inverted[i] ? value
-                          : value == 0       ? std::numeric_limits<double>::infinity()
-                                             : 1 / value;
+    const double affine = !point.inverted[i] ? value : value == 0 ? std::numeric_limits<double>::infinity() : 1 / value;
     result.parameters[surfaces_.source[i]] = affine;
   }
   const SpaceBox place = pair_.point(point.inverted, point.box);
@@ -545,8 +541,9 @@ void WholeCurve::halve(Branch& branch, SurfaceResult& result) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
       const auto difference = [&](const PointEnclosure& point) {
         const double a = middle(point.box[i]);
-        const double b = middle(in_charts(point.box, point.inverted, {point.inverted[0], point.inverted[1],
-                                                                      point.inverted[0], point.inverted[1]})[i + 2]);
+        const double b =
+            middle(in_charts(point.box, point.inverted,
+                             {point.inverted[0], point.inverted[1], point.inverted[0], point.inverted[1]})[i + 2]);
         return (b - a) * (point.inverted[i] ? -1 : 1);
       };
       turns = turns && difference(branch.points[gap]) * difference(branch.points[gap + 1]) < 0;
@@ -628,10 +625,9 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
   for (std::size_t k = 0; k < open.points.size(); ++k) {
     const bool is_last = k + 1 == open.points.size();
     if (!is_last && !open.crosses[k]) continue;
-    const BranchEnd end =
-        is_last && !branch.closed ? branch_end(branch, 1, result, reason) : at_infinity;
-    SurfaceComponent piece = component(open, first, k, start.kind == BranchEndKind::infinity,
-                                       end.kind == BranchEndKind::infinity);
+    const BranchEnd end = is_last && !branch.closed ? branch_end(branch, 1, result, reason) : at_infinity;
+    SurfaceComponent piece =
+        component(open, first, k, start.kind == BranchEndKind::infinity, end.kind == BranchEndKind::infinity);
     piece.start = start;
     piece.end = end;
     close_gaps(piece, result);

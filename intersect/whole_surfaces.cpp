@@ -107,15 +107,15 @@ class WholeIntersection {
       surfaces_->change = {change, ProjectiveChange{change.d, change.b, change.c, change.a}};
       if (hides && !change.is_identity()) {
         const symbolic::RationalSurface first = surfaces_->changed_first();
-        eliminant_ = surfaces_->with_itself
-                         ? symbolic::self_intersection_eliminant(first, options_.seed, context_)
-                         : symbolic::intersection_eliminant(first, surfaces_->changed_second(), options_.seed, context_);
+        eliminant_ = surfaces_->with_itself ? symbolic::self_intersection_eliminant(first, options_.seed, context_)
+                                            : symbolic::intersection_eliminant(first, surfaces_->changed_second(),
+                                                                               options_.seed, context_);
         if (hides_components_at_infinity()) continue;
       } else if (!change.is_identity()) {
-        eliminant_.curve = change_parameters(of_original.curve,
-                                             {of_original.curve.degree(0), of_original.curve.degree(1)},
-                                             surfaces_->change)
-                               .primitive_part();
+        eliminant_.curve =
+            change_parameters(of_original.curve, {of_original.curve.degree(0), of_original.curve.degree(1)},
+                              surfaces_->change)
+                .primitive_part();
       } else if (hides) {
         continue;
       }
