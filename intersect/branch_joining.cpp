@@ -136,8 +136,8 @@ class Joining {
 
   static void leave_unjoined(SurfaceComponent& curve, BranchEnd& end) {
     end.kind = BranchEndKind::unknown;
+    if (curve.certified) curve.reason = not_followed;
     curve.certified = false;
-    curve.reason = "it could not be followed from one piece of a surface to the next";
   }
 
   /// The one piece not used yet that begins there, turned if necessary.

@@ -11,6 +11,9 @@ namespace eliminant::intersect {
 /// For each of u, v, s, t the bounds of the whole domain; nullopt where the parameter runs over the projective line.
 using DomainBounds = std::array<std::optional<std::array<double, 2>>, 4>;
 
+/// The reason of a curve whose continuation was not found.
+inline constexpr const char* not_followed = "it could not be followed from one piece of a surface to the next";
+
 /// Joins curves that were cut where pieces of a surface meet: an end that is on no border of the whole domain is
 /// continued by the one other end at the same parameters, which both enclose one simple zero. Sides of ends that are no
 /// borders are set to 0, points of contact that are only a corner of a piece are taken out, and an end without a

@@ -8,6 +8,7 @@
 
 #include <eliminant/bridge/ball.hpp>
 #include <eliminant/bridge/injectivity.hpp>
+#include <eliminant/bridge/pinch_point.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
@@ -103,7 +104,7 @@ class PatchWithItself {
       result_.status = Status::certified;
       choose_grids(*rounded);
       intersect_parts();
-      finish();
+      finish(*rounded);
     }
     result_.seconds.emplace_back("total",
                                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -127,9 +128,22 @@ class PatchWithItself {
           folded_.push_back(
               {{h.lower[0], h.lower[1], h.lower[0], h.lower[1]}, {h.upper[0], h.upper[1], h.upper[0], h.upper[1]}});
         }
-      if (folded_.empty()) return;
+      if (folded_.empty() || explain_folds(net)) return;
       context_.checkpoint("looking for parts without self-intersection");
     }
+  }
+
+  /// Where the surface turns most there may be a pinch point, and nothing else.
+  bool explain_folds(const bridge::ControlNet& net) {
+    pinches_.clear();
+    for (const bridge::CellBox& box : clusters_of(folded_)) {
+      const bridge::ParameterRectangle rectangle{{box.lower[0], box.lower[1]}, {box.upper[0], box.upper[1]}};
+      const auto pinch = bridge::pinch_point_in(net, rectangle);
+      if (!pinch) return false;
+      pinches_.push_back({*pinch, rectangle});
+    }
+    folded_.clear();
+    return true;
   }
 
   std::vector<Part> parts_of(const Grid& grid) const {
@@ -170,7 +184,7 @@ class PatchWithItself {
       }
   }
 
-  void finish() {
+  void finish(const bridge::ControlNet& net) {
     DomainBounds bounds;
     for (std::size_t k = 0; k < 4; ++k) {
       const symbolic::Interval& side = patch_.region->sides[k % 2];
@@ -178,21 +192,101 @@ class PatchWithItself {
     }
     join_branches(result_, bounds);
     remove_mirror_images(result_);
+    for (const Pinch& pinch : pinches_) add_pinch(net, pinch);
     for (const bridge::CellBox& box : clusters_of(folded_)) add_fold(box);
     summarise(result_);
   }
 
+  struct Pinch {
+    bridge::PinchPoint point;
+    bridge::ParameterRectangle rectangle;
+  };
+
+  double to_domain(std::size_t k, double local) const {
+    const symbolic::Interval& side = patch_.region->sides[k % 2];
+    const double lower = nearest(side.lower);
+    return lower + local * (nearest(side.upper) - lower);
+  }
+  double from_domain(std::size_t k, double value) const {
+    const symbolic::Interval& side = patch_.region->sides[k % 2];
+    const double lower = nearest(side.lower);
+    return (value - lower) / (nearest(side.upper) - lower);
+  }
+
+  SurfacePoint placed(const bridge::ParameterPair& local) const {
+    SurfacePoint point;
+    for (std::size_t k = 0; k < 4; ++k) point.parameters[k] = to_domain(k, local[k]);
+    const auto value = patch_.map.at({rational(point.parameters[0]), rational(point.parameters[1])});
+    for (std::size_t k = 0; k < 3; ++k) point.point[k] = value[3].is_zero() ? NAN : nearest(value[k] / value[3]);
+    return point;
+  }
+
+  /// The one curve that ends at the rectangle of a pinch point goes on to it.
+  void add_pinch(const bridge::ControlNet& net, const Pinch& pinch) {
+    SurfaceSingularPoint singular;
+    singular.kind = SurfaceSingularity::pinch_point;
+    const auto& [u, v] = pinch.point.parameters;
+    singular.at = placed({u, v, u, v});
+    singular.radius =
+        pinch.point.radius * std::max(to_domain(0, 1) - to_domain(0, 0), to_domain(1, 1) - to_domain(1, 0));
+    singular.half_branches = 1;
+    std::vector<std::pair<SurfaceComponent*, bool>> ends;
+    for (SurfaceComponent& component : result_.components) {
+      if (component.kind != SurfaceComponentKind::curve) continue;
+      for (const bool at_start : {false, true}) {
+        const BranchEnd& end = at_start ? component.start : component.end;
+        const SurfacePoint& point = at_start ? component.points.front() : component.points.back();
+        bool inside = end.kind == BranchEndKind::unknown;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double local = from_domain(k, point.parameters[k]);
+          constexpr double slack = 1e-12;
+          inside =
+              inside && local > pinch.rectangle.lower[k % 2] - slack && local < pinch.rectangle.upper[k % 2] + slack;
+        }
+        if (inside) ends.emplace_back(&component, at_start);
+      }
+    }
+    singular.certified = ends.size() == 1;
+    if (singular.certified) {
+      lead_to_pinch(net, pinch, *ends.front().first, ends.front().second);
+    } else {
+      singular.reason = "not exactly one double curve was found to end here";
+      result_.status = Status::numeric;
+    }
+    result_.singular_points.push_back(std::move(singular));
+  }
+
+  void lead_to_pinch(const bridge::ControlNet& net, const Pinch& pinch, SurfaceComponent& component, bool at_start) {
+    if (at_start) {
+      std::reverse(component.points.begin(), component.points.end());
+      std::swap(component.start, component.end);
+    }
+    bridge::ParameterPair from;
+    for (std::size_t k = 0; k < 4; ++k) from[k] = from_domain(k, component.points.back().parameters[k]);
+    constexpr std::size_t steps = 512;
+    for (const bridge::ParameterPair& pair : bridge::arc_to_pinch_point(net, pinch.point, from, steps))
+      component.points.push_back(placed(pair));
+    component.end.kind = BranchEndKind::singular;
+    component.end.singular_point = result_.singular_points.size();
+    component.mirrored = true;
+    const double length = std::max(std::fabs(from[2] - from[0]), std::fabs(from[3] - from[1]));
+    constexpr double diagonal = 1.5;
+    component.error = std::max(component.error, diagonal * diagonal * pinch.point.speed * pinch.point.space_speed *
+                                                    length / static_cast<double>(steps));
+    if (component.reason == not_followed && component.start.kind != BranchEndKind::unknown) {
+      component.certified = true;
+      component.reason.clear();
+    }
+  }
+
   void add_fold(const bridge::CellBox& box) {
     SurfaceSingularPoint point;
+    bridge::ParameterPair middle;
     for (std::size_t k = 0; k < 4; ++k) {
-      const symbolic::Interval& side = patch_.region->sides[k % 2];
-      const double lower = nearest(side.lower);
-      const double width = nearest(side.upper) - lower;
-      point.at.parameters[k] = lower + width * 0.5 * (box.lower[k] + box.upper[k]);
-      point.radius = std::max(point.radius, 0.5 * width * (box.upper[k] - box.lower[k]));
+      middle[k] = 0.5 * (box.lower[k] + box.upper[k]);
+      point.radius = std::max(point.radius, 0.5 * (to_domain(k, box.upper[k]) - to_domain(k, box.lower[k])));
     }
-    const auto value = patch_.map.at({rational(point.at.parameters[0]), rational(point.at.parameters[1])});
-    for (std::size_t k = 0; k < 3; ++k) point.at.point[k] = value[3].is_zero() ? NAN : nearest(value[k] / value[3]);
+    point.at = placed(middle);
     point.reason =
         "the surface turns so much within the radius that it may meet itself there: a pinch point or an edge";
     result_.singular_points.push_back(std::move(point));
@@ -215,6 +309,7 @@ class PatchWithItself {
   Grid second_grid_;
   /// Hulls of parts that touch and are not known to be injective, as boxes of pairs of parameters.
   std::vector<bridge::CellBox> folded_;
+  std::vector<Pinch> pinches_;
   SurfaceResult result_;
 };
 
