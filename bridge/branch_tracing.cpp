@@ -270,6 +270,14 @@ TracedArc BranchTracer::trace(const CrossingPoint& from, const CrossingPoint& to
   return tracing.run(vector_of(from.parameters), vector_of(to.parameters), context);
 }
 
+TracedArc BranchTracer::trace_near(const std::array<double, 4>& from, const std::array<double, 4>& goal,
+                                   const CellBox& box, double near, double tolerance, const Context& context) {
+  PatchJets first(first_);
+  PatchJets second(second_);
+  ArcTracing tracing(first, second, box, tolerance);
+  return tracing.run(vector_of(from), vector_of(goal), near, context);
+}
+
 TracedArc BranchTracer::trace_to_contact(const CrossingPoint& from, const CellContact& contact,
                                          const SurfaceContactProver& prover, double tolerance, const Context& context) {
   const std::array<double, 4>& centre = contact.contact.rounded;

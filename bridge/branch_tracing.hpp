@@ -44,6 +44,11 @@ class BranchTracer {
   TracedArc trace(const CrossingPoint& from, const CrossingPoint& to, const CellBox& box, double tolerance,
                   const Context& context);
 
+  /// From a point of an arc in the direction of another pair of parameters, until all differ from it by less than
+  /// `near`.
+  TracedArc trace_near(const std::array<double, 4>& from, const std::array<double, 4>& goal, const CellBox& box,
+                       double near, double tolerance, const Context& context);
+
   /// An arc from a crossing point to a contact, which may be singular: by steps until the chord to the contact is
   /// within the tolerance.
   TracedArc trace_to_contact(const CrossingPoint& from, const CellContact& contact, const SurfaceContactProver& prover,

@@ -3,15 +3,11 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/bridge/injectivity.hpp>
 
 namespace eliminant::bridge {
-
-/// A pair of parameters (u, v, s, t) of one patch.
-using ParameterPair = std::array<double, 4>;
 
 /// The double points of a patch in a rectangle around a pinch point (Whitney umbrella), proven: the pairs x, x + k d
 /// with one direction d and one x for each k, an arc that the exchange of both parameters maps to itself.
@@ -19,9 +15,8 @@ struct PinchPoint {
   std::array<double, 2> parameters{};
   /// Bounds the error of both.
   double radius = 0;
-  /// How fast x and d change with k at most, in the maximum norm, and how fast the patch moves with its parameters.
-  double speed = 0;
-  double space_speed = 0;
+  /// Of the direction d at the pinch point.
+  double angle = 0;
 };
 
 /// The pinch point in the rectangle, and that all double points there belong to its arc; nullopt where that is not
@@ -32,8 +27,8 @@ struct PinchPoint {
 /// one zero for each k; pairs in other directions have different points because the derivative along f does not vanish.
 std::optional<PinchPoint> pinch_point_in(const ControlNet& net, const ParameterRectangle& rectangle);
 
-/// Pairs along the arc from a pair on it to the pinch point, without the former; `count` steps of equal length in k.
-std::vector<ParameterPair> arc_to_pinch_point(const ControlNet& net, const PinchPoint& pinch, const ParameterPair& from,
-                                              std::size_t count);
+/// A bound of the distance in space between the pinch point and the double points whose parameters all differ from it
+/// by at most `near`: of the square of that. nullopt where it is not proven.
+std::optional<double> reach_of_pinch_point(const ControlNet& net, const PinchPoint& pinch, double near);
 
 }  // namespace eliminant::bridge

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/injectivity.hpp>
 #include <eliminant/bridge/pinch_point.hpp>
 #include <eliminant/intersect/branch_components.hpp>
@@ -213,7 +214,7 @@ class PatchWithItself {
     return (value - lower) / (nearest(side.upper) - lower);
   }
 
-  SurfacePoint placed(const bridge::ParameterPair& local) const {
+  SurfacePoint placed(const std::array<double, 4>& local) const {
     SurfacePoint point;
     for (std::size_t k = 0; k < 4; ++k) point.parameters[k] = to_domain(k, local[k]);
     const auto value = patch_.map.at({rational(point.parameters[0]), rational(point.parameters[1])});
@@ -261,18 +262,35 @@ class PatchWithItself {
       std::reverse(component.points.begin(), component.points.end());
       std::swap(component.start, component.end);
     }
-    bridge::ParameterPair from;
+    std::array<double, 4> from;
     for (std::size_t k = 0; k < 4; ++k) from[k] = from_domain(k, component.points.back().parameters[k]);
-    constexpr std::size_t steps = 512;
-    for (const bridge::ParameterPair& pair : bridge::arc_to_pinch_point(net, pinch.point, from, steps))
-      component.points.push_back(placed(pair));
+    const auto& [u, v] = pinch.point.parameters;
+    const bridge::CellBox box{
+        {pinch.rectangle.lower[0], pinch.rectangle.lower[1], pinch.rectangle.lower[0], pinch.rectangle.lower[1]},
+        {pinch.rectangle.upper[0], pinch.rectangle.upper[1], pinch.rectangle.upper[0], pinch.rectangle.upper[1]}};
+    // Both preimages come together, and doubles tell them apart so far only.
+    bridge::TracedArc arc;
+    double chord = 0;
+    constexpr double most = 4096;
+    for (double factor = 1; !arc.proven && factor < most; factor *= 4) {
+      const double tolerance = factor * options_.tolerance * size_of(net_);
+      double near = 0x1p-6;
+      std::optional<double> reach;
+      for (; near > 0x1p-40 && !(reach && *reach < tolerance); near *= 0.5)
+        reach = bridge::reach_of_pinch_point(net, pinch.point, 0.5 * near);
+      chord = reach.value_or(INFINITY);
+      arc = bridge::BranchTracer(net, net).trace_near(from, {u, v, u, v}, box, near, tolerance, context_);
+    }
+    for (std::size_t i = 1; i < arc.points.size(); ++i) component.points.push_back(placed(arc.points[i].parameters));
+    component.points.push_back(placed({u, v, u, v}));
     component.end.kind = BranchEndKind::singular;
     component.end.singular_point = result_.singular_points.size();
     component.mirrored = true;
-    const double length = std::max(std::fabs(from[2] - from[0]), std::fabs(from[3] - from[1]));
-    constexpr double diagonal = 1.5;
-    component.error = std::max(component.error, diagonal * diagonal * pinch.point.speed * pinch.point.space_speed *
-                                                    length / static_cast<double>(steps));
+    component.error = std::max({component.error, arc.error, chord});
+    if (!arc.proven || !std::isfinite(chord)) {
+      component.reason = "the distance of the polyline from the curve next to the pinch point is not proven";
+      return;
+    }
     if (component.reason == not_followed && component.start.kind != BranchEndKind::unknown) {
       component.certified = true;
       component.reason.clear();
@@ -281,7 +299,7 @@ class PatchWithItself {
 
   void add_fold(const bridge::CellBox& box) {
     SurfaceSingularPoint point;
-    bridge::ParameterPair middle;
+    std::array<double, 4> middle;
     for (std::size_t k = 0; k < 4; ++k) {
       middle[k] = 0.5 * (box.lower[k] + box.upper[k]);
       point.radius = std::max(point.radius, 0.5 * (to_domain(k, box.upper[k]) - to_domain(k, box.lower[k])));
