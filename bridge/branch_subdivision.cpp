@@ -29,9 +29,9 @@ struct Cell {
 
 class Subdivision {
  public:
-  Subdivision(const ControlNet& first, const ControlNet& second, const SurfaceContactProver* contacts,
-              const BranchLimits& limits, const Context& context)
-      : contacts_(contacts), limits_(limits), context_(context) {
+  Subdivision(const ControlNet& first, const ControlNet& second, std::vector<ContainedBorder> contained,
+              const SurfaceContactProver* contacts, const BranchLimits& limits, const Context& context)
+      : contained_(std::move(contained)), contacts_(contacts), limits_(limits), context_(context) {
     std::copy(first.degrees.begin(), first.degrees.end(), test_.first.shape.degree.begin());
     std::copy(second.degrees.begin(), second.degrees.end(), test_.second.shape.degree.begin());
     test_.first.polynomial = first.polynomial;
@@ -323,11 +323,18 @@ class Subdivision {
       local[along] = zero.parameters[0];
       local[of_first ? 2 : 0] = zero.parameters[1];
       local[of_first ? 3 : 1] = zero.parameters[2];
+      bool inside = true;
       for (std::size_t k = 0; k < 4; ++k) {
-        if (k != axis && !(local[k] - zero.radius > 1e-6 && local[k] + zero.radius < 1 - 1e-6)) return std::nullopt;
+        constexpr double margin = 1e-6;
+        inside = inside && (k == axis || (local[k] - zero.radius > margin && local[k] + zero.radius < 1 - margin));
         point.parameters[k] = cell.lower[k] + local[k] * cell.width[k];
         point.radius = std::max(point.radius, zero.radius * cell.width[k] + place_slack);
       }
+      // The one zero there is that of the border curve.
+      if (std::any_of(contained_.begin(), contained_.end(),
+                      [&](const ContainedBorder& border) { return border.holds(point.parameters, point.radius); }))
+        continue;
+      if (!inside) return std::nullopt;
       points.push_back(point);
     }
     return points;
@@ -353,6 +360,7 @@ class Subdivision {
     return curve;
   }
 
+  std::vector<ContainedBorder> contained_;
   const SurfaceContactProver* contacts_;
   const BranchLimits& limits_;
   const Context& context_;
@@ -366,9 +374,9 @@ class Subdivision {
 }  // namespace
 
 BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
-                               const SurfaceContactProver* contacts, const BranchLimits& limits,
-                               const Context& context) {
-  return Subdivision(first, second, contacts, limits, context).run(std::move(border));
+                               std::vector<ContainedBorder> contained, const SurfaceContactProver* contacts,
+                               const BranchLimits& limits, const Context& context) {
+  return Subdivision(first, second, std::move(contained), contacts, limits, context).run(std::move(border));
 }
 
 }  // namespace eliminant::bridge

@@ -65,7 +65,7 @@ struct BranchLimits {
 
 /// The real intersection of two tensor-product patches on [0, 1]^2, in hardware doubles with a bound on every rounding.
 /// Weights must be positive. `border` are all its points on the borders of the domain at which an arc ends; they become
-/// the first points of the graph.
+/// the first points of the graph. Border curves that are `contained` in the other patch are left out of it.
 ///
 /// The parameters of both are cut in two until a pair of parts is proven to have no point in common, or only arcs that
 /// are monotone in one direction of space (SurfaceCell), and at most one of these. Wherever a part is cut, the points
@@ -74,7 +74,7 @@ struct BranchLimits {
 /// Where parts are small and not transversal, `contacts` (if given) is asked for a point of contact that explains it.
 /// Source: subdivision by transversality [SederbergMeyers1988].
 BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
-                               const SurfaceContactProver* contacts, const BranchLimits& limits,
-                               const Context& context);
+                               std::vector<ContainedBorder> contained, const SurfaceContactProver* contacts,
+                               const BranchLimits& limits, const Context& context);
 
 }  // namespace eliminant::bridge

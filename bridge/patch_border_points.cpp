@@ -88,16 +88,27 @@ struct BorderProblem {
 class BorderSearch {
  public:
   BorderSearch(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-               const ExactNet& exact_second, const BorderMeetings& meetings, const Context& context)
+               const ExactNet& exact_second, const BorderMeetings& meetings, const ContainedParts& contained_parts,
+               const Context& context)
       : nets_{&first, &second},
         exact_{&exact_first, &exact_second},
         jets_{PatchJets(first), PatchJets(second)},
         meetings_(meetings),
+        contained_parts_(contained_parts),
         context_(context) {}
 
   BorderPoints run() && {
     for (std::size_t axis = 0; axis < 4; ++axis)
       for (const int side : {-1, 1}) look_at(axis, side);
+    // What is on a border curve that is contained ends no other arc, and is no reason to leave a border open.
+    const auto is_contained = [&](const CrossingPoint& point) {
+      return std::any_of(result_.contained.begin(), result_.contained.end(), [&](const ContainedBorder& border) {
+        return border.holds(point.parameters, point.radius + 0x1p-40);
+      });
+    };
+    std::erase_if(result_.points, is_contained);
+    for (const auto& [point, border] : undecided_)
+      if (!is_contained(point)) result_.open.push_back(border);
     return std::move(result_);
   }
 
@@ -117,7 +128,12 @@ class BorderSearch {
         curve, patch, [&](const std::array<double, 3>& near, double reach) { return prover.find(near, reach); },
         SubdivisionLimits(), context_);
     if (!found.complete || !found.open.empty()) {
-      result_.open.push_back({axis, side, "the border curve touches the other surface, or lies in it"});
+      const auto parts = contained_parts_(axis, side);
+      for (const auto& [lower, upper] : parts) result_.contained.push_back({axis, side, lower, upper});
+      if (parts.empty()) result_.open.push_back({axis, side, "the border curve touches the other surface"});
+      // Only where all of it is contained there is nothing else on it.
+      if (parts.size() == 1 && parts[0][0] <= 0 && parts[0][1] >= 1) return;
+      if (!parts.empty()) result_.open.push_back({axis, side, "a part of the border curve lies in the other surface"});
       return;
     }
     const BorderProblem problem{axis, side, {2 * own + 1 - axis % 2, 2 - 2 * own, 3 - 2 * own}};
@@ -154,13 +170,14 @@ class BorderSearch {
                            meets_border(problem, zero, problem.place[k], end))) {
         set_side(point, problem.place[k], end);
       } else {
-        leave_open(problem, "it is undecided whether a point of it lies within the other patch");
+        undecided_.push_back(
+            {point, {problem.axis, problem.side, "it is undecided whether a point of it lies within the other patch"}});
         return;
       }
     }
     const std::optional<unsigned> arcs = arcs_inside(point);
     if (!arcs) {
-      leave_open(problem, "the intersection is nearly tangent to a border");
+      undecided_.push_back({point, {problem.axis, problem.side, "the intersection is nearly tangent to a border"}});
       return;
     }
     point.arcs = *arcs;
@@ -170,10 +187,6 @@ class BorderSearch {
   static void set_side(CrossingPoint& point, std::size_t place, int end) {
     point.side[place] = end;
     point.parameters[place] = end < 0 ? 0 : 1;
-  }
-
-  void leave_open(const BorderProblem& problem, const char* reason) {
-    result_.open.push_back({problem.axis, problem.side, reason});
   }
 
   /// Both border curves lie in one plane, which the other patch leaves at the point away from its border: the point,
@@ -229,12 +242,13 @@ class BorderSearch {
     point.touching = true;
     // Even contact stays on one side of the border.
     if (sides > 1 || contact.multiplicity > 2) {
-      leave_open(problem, "the intersection touches the border in a corner or of high order");
+      undecided_.push_back(
+          {point, {problem.axis, problem.side, "the intersection touches the border in a corner or of high order"}});
       return;
     }
     const std::optional<double> bend = bend_across(point, problem.axis);
     if (!bend) {
-      leave_open(problem, "the surfaces are tangent at the border");
+      undecided_.push_back({point, {problem.axis, problem.side, "the surfaces are tangent at the border"}});
       return;
     }
     point.arcs = *bend * problem.side < 0 ? 2 : 0;
@@ -330,15 +344,18 @@ class BorderSearch {
   std::array<const ExactNet*, 2> exact_;
   std::array<PatchJets, 2> jets_;
   const BorderMeetings& meetings_;
+  const ContainedParts& contained_parts_;
   const Context& context_;
+  std::vector<std::pair<CrossingPoint, OpenBorder>> undecided_;
   BorderPoints result_;
 };
 
 }  // namespace
 
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-                                 const ExactNet& exact_second, const BorderMeetings& meetings, const Context& context) {
-  return BorderSearch(first, second, exact_first, exact_second, meetings, context).run();
+                                 const ExactNet& exact_second, const BorderMeetings& meetings,
+                                 const ContainedParts& contained_parts, const Context& context) {
+  return BorderSearch(first, second, exact_first, exact_second, meetings, contained_parts, context).run();
 }
 
 }  // namespace eliminant::bridge

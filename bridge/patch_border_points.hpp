@@ -32,6 +32,8 @@ struct OpenBorder {
 struct BorderPoints {
   /// Those on several borders at once are listed once.
   std::vector<BorderPoint> points;
+  /// Border curves that belong to the intersection; points on them are not listed.
+  std::vector<ContainedBorder> contained;
   std::vector<OpenBorder> open;
 };
 
@@ -40,10 +42,14 @@ struct BorderPoints {
 using BorderMeetings = std::function<std::vector<std::array<double, 2>>(std::size_t first_axis, int first_side,
                                                                         std::size_t second_axis, int second_side)>;
 
+/// The intervals of a border curve that lie in the other patch, proven. Asked for only where doubles leave it open.
+using ContainedParts = std::function<std::vector<std::array<double, 2>>(std::size_t axis, int side)>;
+
 /// All points of two tensor-product patches on [0, 1]^2 that lie on the border of one of them: each of the eight border
 /// curves against the other patch. Which of them lie on a border of the other patch, too, is decided exactly: by
 /// rational parameters, where two border curves lie in one plane that the patch crosses, or by `meetings`.
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-                                 const ExactNet& exact_second, const BorderMeetings& meetings, const Context& context);
+                                 const ExactNet& exact_second, const BorderMeetings& meetings,
+                                 const ContainedParts& contained_parts, const Context& context);
 
 }  // namespace eliminant::bridge

@@ -3,6 +3,7 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
+#include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 
 namespace eliminant::intersect {
@@ -21,7 +22,34 @@ symbolic::CurvePiece border_of(const bridge::ExactNet& net, std::size_t axis, in
   return symbolic::bezier_curve(points);
 }
 
+symbolic::SurfacePiece patch_of(const bridge::ExactNet& net) {
+  const std::size_t row = net.degrees[1] + 1;
+  std::vector<std::vector<symbolic::ControlPoint>> rows(net.degrees[0] + 1);
+  for (std::size_t i = 0; i < net.points.size(); ++i)
+    rows[i / row].emplace_back(net.points[i].begin(), net.points[i].end());
+  return symbolic::bezier_patch(rows);
+}
+
+double middle(const Coordinate& x) { return arf_get_d(arb_midref(x.ball.real()), ARF_RND_NEAR); }
+
 }  // namespace
+
+std::vector<std::array<double, 2>> BorderCurves::contained(std::size_t axis, int side) const {
+  std::vector<std::array<double, 2>> result;
+  CurveResult found;
+  try {
+    const symbolic::ParametricCurve curve{{border_of(axis < 2 ? first_ : second_, axis % 2, side)}};
+    const symbolic::ParametricSurface surface{{patch_of(axis < 2 ? second_ : first_)}};
+    found = intersect_curve_surface({curve, surface}, Options(), context_);
+  } catch (const InvalidInput&) {
+    return result;
+  }
+  for (const Overlap& overlap : found.overlap) {
+    if (!overlap.certified || !overlap.t || !(*overlap.t)[0] || !(*overlap.t)[1]) continue;
+    result.push_back({middle(*(*overlap.t)[0]), middle(*(*overlap.t)[1])});
+  }
+  return result;
+}
 
 std::vector<std::array<double, 2>> BorderCurves::meetings(std::size_t first_axis, int first_side,
                                                           std::size_t second_axis, int second_side) const {
@@ -37,7 +65,6 @@ std::vector<std::array<double, 2>> BorderCurves::meetings(std::size_t first_axis
   }
   for (const CurveSolution& solution : found.solutions) {
     if (!solution.certified || !solution.inside || !solution.t || !*solution.t || !solution.u || !*solution.u) continue;
-    const auto middle = [](const Coordinate& x) { return arf_get_d(arb_midref(x.ball.real()), ARF_RND_NEAR); };
     result.push_back({middle(**solution.t), middle(**solution.u)});
   }
   return result;

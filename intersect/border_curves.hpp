@@ -23,6 +23,9 @@ class BorderCurves {
   std::vector<std::array<double, 2>> meetings(std::size_t first_axis, int first_side, std::size_t second_axis,
                                               int second_side) const;
 
+  /// The closed intervals of a border curve (axis 0 to 3) that lie in the other patch, certified.
+  std::vector<std::array<double, 2>> contained(std::size_t axis, int side) const;
+
  private:
   const bridge::ExactNet& first_;
   const bridge::ExactNet& second_;

@@ -92,7 +92,8 @@ class PatchPair {
     const bridge::BorderPoints border = bridge::patch_border_points(
         first_net_, second_net_, first_.exact, second_.exact,
         [&](std::size_t a, int a_side, std::size_t b, int b_side) { return borders.meetings(a, a_side, b, b_side); },
-        context_);
+        [&](std::size_t axis, int side) { return borders.contained(axis, side); }, context_);
+    add_contained(border.contained);
     std::vector<bridge::CrossingPoint> ends;
     for (const bridge::BorderPoint& point : border.points) {
       if (point.arcs == 1) ends.push_back(point);
@@ -101,7 +102,8 @@ class PatchPair {
     bridge::BranchLimits limits;
     const bridge::SurfaceContactProver contacts(first_net_, second_net_, first_.exact, second_.exact);
     prover_ = &contacts;
-    graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), prover_, limits, context_);
+    graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), border.contained, prover_, limits,
+                                        context_);
     for (const bridge::CellContact& contact : graph_.contacts) add_contact(contact);
     for (const BranchChain& chain : branch_chains(graph_)) add_chain(chain);
     const bool complete = graph_.complete && graph_.open.empty() && border.open.empty();
@@ -135,6 +137,103 @@ class PatchPair {
   SurfacePoint placed(const std::array<double, 4>& parameters) {
     const bridge::PatchJets::Value value = bridge::PatchJets(first_net_).at(parameters[0], parameters[1]);
     return placed(parameters, {value.point[0], value.point[1], value.point[2]});
+  }
+
+  /// Border curves that lie in the other patch; one that is a border of both once.
+  void add_contained(const std::vector<bridge::ContainedBorder>& borders) {
+    std::vector<SurfaceComponent> found;
+    for (const bridge::ContainedBorder& border : borders) {
+      SurfaceComponent component = contained_border(border);
+      const auto same = [&](const SurfaceComponent& other) {
+        const auto near = [&](const SurfacePoint& a, const SurfacePoint& b) {
+          double distance = 0;
+          for (std::size_t k = 0; k < 4; ++k)
+            distance = std::max(distance, std::fabs(a.parameters[k] - b.parameters[k]));
+          return distance < 1e-7;
+        };
+        const SurfacePoint& begin = component.points.front();
+        const SurfacePoint& end = component.points.back();
+        return (near(begin, other.points.front()) && near(end, other.points.back())) ||
+               (near(begin, other.points.back()) && near(end, other.points.front()));
+      };
+      if (std::none_of(found.begin(), found.end(), same)) found.push_back(std::move(component));
+    }
+    for (SurfaceComponent& component : found) result_.components.push_back(std::move(component));
+  }
+
+  SurfaceComponent contained_border(const bridge::ContainedBorder& border) {
+    const bool of_first = border.axis < 2;
+    bridge::PatchJets own(of_first ? first_net_ : second_net_);
+    bridge::PatchJets other(of_first ? second_net_ : first_net_);
+    const std::size_t kept = border.axis;
+    const std::size_t along = of_first ? 1 - kept : 5 - kept;
+    const auto bounds = own.bounds_on(0, 1, 0, 1);
+    const Array4d& bend = bounds->second[along % 2 == 0 ? 0 : 2];
+    const double curvature =
+        bend.head<3>().matrix().norm() * (border.upper - border.lower) * (border.upper - border.lower);
+    const auto steps =
+        static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(curvature / (8 * tolerance_))), 1.0, 1e6));
+    SurfaceComponent component;
+    component.error = curvature / 8 / static_cast<double>(steps * steps) + 1e-14 * (size_of(first_) + size_of(second_));
+    component.certified = true;
+    std::array<double, 2> start{0.5, 0.5};
+    bool known = false;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double place =
+          border.lower + (border.upper - border.lower) * static_cast<double>(i) / static_cast<double>(steps);
+      std::array<double, 4> at{};
+      at[kept] = border.side < 0 ? 0 : 1;
+      at[along] = place;
+      const std::size_t base = of_first ? 0 : 2;
+      const bridge::PatchJets::Value value = own.at(at[base], at[base + 1]);
+      if (!known) start = nearest_start(other, value.point);
+      known = true;
+      start = parameters_of(other, value.point, start);
+      at[2 - base] = start[0];
+      at[3 - base] = start[1];
+      component.points.push_back(placed(at, {value.point[0], value.point[1], value.point[2]}));
+    }
+    component.start.side[kept] = component.end.side[kept] = border.side;
+    return component;
+  }
+
+  /// The best of a few parameters.
+  static std::array<double, 2> nearest_start(bridge::PatchJets& patch, const Array4d& point) {
+    std::array<double, 2> best{0.5, 0.5};
+    double least = INFINITY;
+    constexpr int parts = 16;
+    for (int i = 0; i <= parts; ++i)
+      for (int j = 0; j <= parts; ++j) {
+        const std::array<double, 2> at{static_cast<double>(i) / parts, static_cast<double>(j) / parts};
+        const double d = (patch.at(at[0], at[1]).point - point).head<3>().matrix().squaredNorm();
+        if (d < least) {
+          least = d;
+          best = at;
+        }
+      }
+    return best;
+  }
+
+  /// Of a point on a patch, by Gauss's and Newton's method.
+  static std::array<double, 2> parameters_of(bridge::PatchJets& patch, const Array4d& point, std::array<double, 2> at) {
+    constexpr int most_steps = 20;
+    for (int step = 0; step < most_steps; ++step) {
+      const bridge::PatchJets::Value value = patch.at(at[0], at[1]);
+      const auto dot = [](const Array4d& a, const Array4d& b) { return (a * b).head<3>().sum(); };
+      const Array4d difference = value.point - point;
+      const double uu = dot(value.first[0], value.first[0]);
+      const double uv = dot(value.first[0], value.first[1]);
+      const double vv = dot(value.first[1], value.first[1]);
+      const double p = dot(value.first[0], difference);
+      const double q = dot(value.first[1], difference);
+      const double determinant = uu * vv - uv * uv;
+      if (!(determinant > 0)) break;
+      const double du = (vv * p - uv * q) / determinant;
+      const double dv = (uu * q - uv * p) / determinant;
+      at = {std::clamp(at[0] - du, 0.0, 1.0), std::clamp(at[1] - dv, 0.0, 1.0)};
+      if (std::fabs(du) + std::fabs(dv) < 1e-14) break;
+    }
+    return at;
   }
 
   void add_touching_point(const bridge::BorderPoint& point) {
