@@ -32,7 +32,7 @@ std::map<std::vector<unsigned long>, Rational> coefficients(const Polynomial& p)
   return result;
 }
 
-/// c with c . map = target, by Gauss's elimination; nullopt where there is none or not only one.
+/// A c with c . map = target, by Gauss's elimination; nullopt where there is none.
 std::optional<Row> functional(const PatchMap& map, const Polynomial& target) {
   std::map<std::vector<unsigned long>, std::array<Rational, 5>> by_monomial;
   for (std::size_t k = 0; k < 4; ++k)
@@ -40,22 +40,29 @@ std::optional<Row> functional(const PatchMap& map, const Polynomial& target) {
   for (const auto& [monomial, coefficient] : coefficients(target)) by_monomial[monomial][4] = coefficient;
   std::vector<std::array<Rational, 5>> rows;
   for (const auto& entry : by_monomial) rows.push_back(entry.second);
+  Row result;
+  std::array<std::size_t, 4> row_of_column{};
+  std::size_t rank = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(rank);
     const auto pivot = std::find_if(begin, rows.end(), [&](const auto& row) { return !row[k].is_zero(); });
-    if (pivot == rows.end()) return std::nullopt;
+    row_of_column[k] = rows.size();
+    if (pivot == rows.end()) continue;
     std::iter_swap(begin, pivot);
-    const Rational leading = rows[k][k];
-    for (Rational& entry : rows[k]) entry = entry / leading;
+    const Rational leading = rows[rank][k];
+    for (Rational& entry : rows[rank]) entry = entry / leading;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == k || rows[i][k].is_zero()) continue;
+      if (i == rank || rows[i][k].is_zero()) continue;
       const Rational factor = rows[i][k];
-      for (std::size_t j = 0; j < 5; ++j) rows[i][j] = rows[i][j] - factor * rows[k][j];
+      for (std::size_t j = 0; j < 5; ++j) rows[i][j] = rows[i][j] - factor * rows[rank][j];
     }
+    row_of_column[k] = rank++;
   }
-  for (std::size_t i = 4; i < rows.size(); ++i)
+  for (std::size_t i = rank; i < rows.size(); ++i)
     if (!rows[i][4].is_zero()) return std::nullopt;
-  return Row{rows[0][4], rows[1][4], rows[2][4], rows[3][4]};
+  for (std::size_t k = 0; k < 4; ++k)
+    if (row_of_column[k] < rows.size()) result[k] = rows[row_of_column[k]][4];
+  return result;
 }
 
 Polynomial applied(const Row& row, const PatchMap& map) {

@@ -11,52 +11,11 @@
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 #include <support/patch_nets.hpp>
+#include <support/power_patch.hpp>
 
 namespace eliminant::test {
 
 namespace {
-
-/// A patch in the power basis.
-class PowerPatch {
- public:
-  explicit PowerPatch(const ControlNet& net) {
-    const PatchMap map = patch_map(net);
-    for (std::size_t k = 0; k < 4; ++k) {
-      grids_[k].assign(net.size(), std::vector<double>(net.front().size(), 0));
-      for (const auto& term : map[k].terms())
-        grids_[k][term.exponents[0]][term.exponents[1]] =
-            fmpz_get_d(term.coefficient.numerator().get()) / fmpz_get_d(term.coefficient.denominator().get());
-    }
-  }
-
-  /// Value and derivatives by u and v of each affine coordinate.
-  using Jet = std::array<std::array<double, 3>, 3>;
-  Jet at(double u, double v) const {
-    std::array<std::array<double, 3>, 4> forms{};
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t i = grids_[k].size(); i-- > 0;) {
-        double value = 0;
-        double slope = 0;
-        for (std::size_t j = grids_[k][i].size(); j-- > 0;) {
-          slope = slope * v + value;
-          value = value * v + grids_[k][i][j];
-        }
-        forms[k][1] = forms[k][1] * u + forms[k][0];
-        forms[k][0] = forms[k][0] * u + value;
-        forms[k][2] = forms[k][2] * u + slope;
-      }
-    Jet jet{};
-    const double w = forms[3][0];
-    for (std::size_t k = 0; k < 3; ++k) {
-      jet[k][0] = forms[k][0] / w;
-      for (std::size_t i = 1; i < 3; ++i) jet[k][i] = (forms[k][i] - jet[k][0] * forms[3][i]) / w;
-    }
-    return jet;
-  }
-
- private:
-  std::array<std::vector<std::vector<double>>, 4> grids_;
-};
 
 /// What lies over a point of the first patch.
 struct Sample {
@@ -75,6 +34,7 @@ class Heights {
   Sample at(double u, double v, std::array<double, 2> start) const {
     constexpr int steps = 20;
     constexpr double far = 0.5;
+    constexpr double enough = 1e-10;
     const PowerPatch::Jet point = first_.at(u, v);
     Sample sample;
     sample.below = start;
@@ -87,7 +47,7 @@ class Heights {
       const double t = (y * jet[0][1] - x * jet[1][1]) / determinant;
       sample.below = {sample.below[0] + s, sample.below[1] + t};
       sample.height = point[2][0] - second_.at(sample.below[0], sample.below[1])[2][0];
-      sample.known = std::abs(s) + std::abs(t) < 1e-13;
+      sample.known = std::abs(s) + std::abs(t) < enough;
       if (sample.known) return sample;
       // Far from its domain nothing of the second patch counts.
       for (const double place : sample.below)
@@ -145,21 +105,25 @@ class Board {
  private:
   double parameter(std::size_t i) const { return static_cast<double>(i) / static_cast<double>(cells_); }
 
-  /// From its neighbours, or else from places all over the second patch.
+  /// From its neighbours, or else from places all over the second patch: one inside where there is one.
   Sample sample(std::size_t i, std::size_t j) const {
     const double u = parameter(i);
     const double v = parameter(j);
+    std::optional<Sample> outside;
+    const auto is_inside = [&](const std::array<double, 2>& start, Sample& found) {
+      found = heights_.at(u, v, start);
+      if (found.known && !outside) outside = found;
+      return found.inside();
+    };
+    Sample found;
     for (const std::size_t back : {std::size_t{1}, cells_ + 1}) {
       if (back > samples_.size() || !samples_[samples_.size() - back].known) continue;
-      const Sample found = heights_.at(u, v, samples_[samples_.size() - back].below);
-      if (found.known) return found;
+      if (is_inside(samples_[samples_.size() - back].below, found)) return found;
     }
     for (const double s : {0.1, 0.5, 0.9})
-      for (const double t : {0.1, 0.5, 0.9}) {
-        const Sample found = heights_.at(u, v, {s, t});
-        if (found.known) return found;
-      }
-    return {};
+      for (const double t : {0.1, 0.5, 0.9})
+        if (is_inside({s, t}, found)) return found;
+    return outside.value_or(Sample{});
   }
 
   const Sample& node(std::size_t k) const { return samples_[k]; }
@@ -175,7 +139,7 @@ class Board {
     constexpr int halvings = 45;
     double low = 0;
     double high = 1;
-    Sample middle = node(a);
+    Sample middle = node(node(a).inside() ? a : b);
     Crossing made;
     for (int step = 0; step < halvings; ++step) {
       const double t = (low + high) / 2;
@@ -183,7 +147,9 @@ class Board {
       middle = heights_.at(made.parameters[0], made.parameters[1], middle.below);
       ((middle.height < 0) == (node(a).height < 0) ? low : high) = t;
     }
-    made.inside = middle.inside();
+    // Elsewhere two preimages change places.
+    constexpr double zero = 1e-9;
+    made.inside = middle.inside() && std::abs(middle.height) < zero;
     crossings_.push_back(made);
     by_edge_[key] = crossings_.size() - 1;
     return crossings_.size() - 1;
