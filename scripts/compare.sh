@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# compare.sh [plane_curves|bezier] [OPTION...]
+# compare.sh [plane_curves|bezier|patches] [OPTION...]
 # Installs what is missing, the other solvers included, builds a comparison with them and prints its tables: times of
 # each solver on the same input and the ratios, from one run with one thread. plane_curves (the default) compares with
-# CGAL and PARI, bezier with OCCT and SISL. Options are those of the program:
+# CGAL and PARI, bezier and patches with OCCT and SISL. Options are those of the program:
 #   --markdown        tables for docs/benchmarks.md
 #   --only TEXT       only the systems or families whose name contains TEXT
-#   --limit SECONDS   plane_curves: wall-clock time that one run may take (60)
-#   --all             bezier: every family that the tests generate
+#   --limit SECONDS   wall-clock time that one run may take (plane_curves 60, patches 10)
+#   --all             bezier, patches: every family that the tests generate
+#   --cases N         patches: only the first N pairs of each family
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/.."
 
 program=compare_plane_curves
 case "${1:-}" in
-  plane_curves | bezier)
+  plane_curves | bezier | patches)
     program=compare_$1
     shift
     ;;

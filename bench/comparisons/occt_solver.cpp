@@ -6,29 +6,20 @@
 #include <Geom2d_BezierCurve.hxx>
 #include <GeomAPI_IntCS.hxx>
 #include <Geom_BezierCurve.hxx>
-#include <Geom_BezierSurface.hxx>
 #include <Standard_Version.hxx>
 #include <TColStd_Array1OfReal.hxx>
-#include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 
 #include "bezier_solvers.hpp"
+#include "occt_patch.hpp"
 
 namespace eliminant::comparisons {
 
 namespace {
 
 using test::BezierCase;
-using test::ControlNet;
 using test::ControlPolygon;
-
-int count_of(std::size_t size) { return static_cast<int>(size); }
-
-gp_Pnt affine_point(const test::HomogeneousPoint& point) {
-  return {point[0] / point[3], point[1] / point[3], point[2] / point[3]};
-}
 
 Handle(Geom_BezierCurve) space_curve(const ControlPolygon& polygon) {
   TColgp_Array1OfPnt poles(1, count_of(polygon.size()));
@@ -50,20 +41,6 @@ Handle(Geom2d_BezierCurve) plane_curve(const ControlPolygon& polygon) {
     weights(i) = point[3];
   }
   return new Geom2d_BezierCurve(poles, weights);
-}
-
-Handle(Geom_BezierSurface) patch(const ControlNet& net) {
-  const int rows = count_of(net.size());
-  const int columns = count_of(net.front().size());
-  TColgp_Array2OfPnt poles(1, rows, 1, columns);
-  TColStd_Array2OfReal weights(1, rows, 1, columns);
-  for (int i = 1; i <= rows; ++i)
-    for (int j = 1; j <= columns; ++j) {
-      const test::HomogeneousPoint& point = net[static_cast<std::size_t>(i - 1)][static_cast<std::size_t>(j - 1)];
-      poles(i, j) = affine_point(point);
-      weights(i, j) = point[3];
-    }
-  return new Geom_BezierSurface(poles, weights);
 }
 
 FoundParameters curve_on_patch(const Handle(Geom_BezierCurve) & curve, const Handle(Geom_BezierSurface) & surface) {
@@ -106,7 +83,9 @@ BezierRun occt_bezier(const BezierCase& bezier) {
     return [first = plane_curve(bezier.curve), second = plane_curve(bezier.second)] {
       return curve_on_curve(first, second);
     };
-  return [curve = space_curve(bezier.curve), surface = patch(bezier.patch)] { return curve_on_patch(curve, surface); };
+  return [curve = space_curve(bezier.curve), surface = occt_patch(bezier.patch)] {
+    return curve_on_patch(curve, surface);
+  };
 }
 
 std::string occt_version() { return "OCCT " OCC_VERSION_COMPLETE; }

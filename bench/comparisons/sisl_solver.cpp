@@ -6,6 +6,7 @@
 #include <sisl.h>
 
 #include "bezier_solvers.hpp"
+#include "sisl_patch.hpp"
 
 namespace eliminant::comparisons {
 
@@ -16,35 +17,8 @@ using test::ControlPolygon;
 
 constexpr double tolerance = 1e-6;
 constexpr double unused_tolerance = 0;
-constexpr int copy_arrays = 1;
 
 using Curve = std::shared_ptr<SISLCurve>;
-using Surface = std::shared_ptr<SISLSurf>;
-
-std::vector<double> bezier_knots(std::size_t order) {
-  std::vector<double> knots(order, 0);
-  knots.resize(2 * order, 1);
-  return knots;
-}
-
-bool has_weights(const ControlPolygon& polygon) {
-  for (const test::HomogeneousPoint& point : polygon)
-    if (point[3] != 1) return true;
-  return false;
-}
-
-/// Points as SISL's B-splines have them: with the weight last, and multiplied in, where there are weights.
-std::vector<double> coefficients(const ControlPolygon& polygon, std::size_t dimension, bool rational) {
-  std::vector<double> numbers;
-  for (const test::HomogeneousPoint& point : polygon) {
-    for (std::size_t k = 0; k < dimension; ++k) numbers.push_back(point[k]);
-    if (rational) numbers.push_back(point[3]);
-  }
-  return numbers;
-}
-
-/// SISL's numbers of the kinds of spline.
-int spline_kind(bool rational) { return rational ? 2 : 1; }
 
 Curve curve_of(const ControlPolygon& polygon, std::size_t dimension) {
   const bool rational = has_weights(polygon);
@@ -54,21 +28,6 @@ Curve curve_of(const ControlPolygon& polygon, std::size_t dimension) {
   return {newCurve(order, order, knots.data(), numbers.data(), spline_kind(rational), static_cast<int>(dimension),
                    copy_arrays),
           freeCurve};
-}
-
-/// SISL's first parameter is the one that runs within a row.
-Surface surface_of(const test::ControlNet& net) {
-  ControlPolygon points;
-  for (const ControlPolygon& row : net) points.insert(points.end(), row.begin(), row.end());
-  const bool rational = has_weights(points);
-  std::vector<double> knots_within = bezier_knots(net.front().size());
-  std::vector<double> knots_across = bezier_knots(net.size());
-  std::vector<double> numbers = coefficients(points, 3, rational);
-  const int within = static_cast<int>(net.front().size());
-  const int across = static_cast<int>(net.size());
-  return {newSurf(within, across, within, across, knots_within.data(), knots_across.data(), numbers.data(),
-                  spline_kind(rational), 3, copy_arrays),
-          freeSurf};
 }
 
 /// What SISL allocates for an answer.
@@ -117,7 +76,7 @@ BezierRun sisl_bezier(const BezierCase& bezier) {
             &answer.stretch_count, &answer.stretches, &answer.status);
       return answer.on_curve(true);
     };
-  return [curve = curve_of(bezier.curve, 3), surface = surface_of(bezier.patch)] {
+  return [curve = curve_of(bezier.curve, 3), surface = sisl_patch(bezier.patch)] {
     Answer answer;
     s1858(surface.get(), curve.get(), unused_tolerance, tolerance, &answer.point_count, &answer.first, &answer.second,
           &answer.stretch_count, &answer.stretches, &answer.status);
