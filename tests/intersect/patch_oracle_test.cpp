@@ -103,7 +103,12 @@ TEST_CASE("Patch oracle: what is planted in a family is there") {
                                                    {"touching an edge", {0, 0, 1, 0}},
                                                    {"through a corner", {1, 0, 0, 0}},
                                                    {"beside each other, crossing", {0, 0, 1, 0}},
-                                                   {"beside each other, with a common edge", {1, 0, 0, 0}}};
+                                                   {"beside each other, with a common edge", {1, 0, 0, 0}},
+                                                   {"skew loop", {0, 1, 0, 0}},
+                                                   {"skew gap", {0, 0, 0, 0}},
+                                                   {"skew contact in a point", {0, 0, 1, 1}},
+                                                   {"skew crossing contact", {4, 0, 0, 1}},
+                                                   {"skew branches and loops", {6, 2, 0, 0}}};
   for (const auto& [family, counts] : planted) {
     CAPTURE(family);
     const std::vector<PatchCase> cases = test::patch_cases(family);

@@ -146,18 +146,6 @@ bool has_unit_weights(const RationalNet& net) {
   });
 }
 
-double exact_double(const Rational& number) {
-  constexpr unsigned long digits_of_double = 53;
-  Integer odd = number.numerator();
-  const Integer denominator = number.denominator();
-  const auto shift = odd.is_zero() ? 0 : fmpz_val2(odd.get());
-  fmpz_tdiv_q_2exp(odd.get(), odd.get(), shift);
-  const auto below = fmpz_val2(denominator.get());
-  if (odd.bit_length() > digits_of_double || denominator.bit_length() != below + 1)
-    throw std::logic_error("a control point is no double: " + number.to_string());
-  return std::ldexp(fmpz_get_d(odd.get()), static_cast<int>(shift) - static_cast<int>(below));
-}
-
 ControlNet in_doubles(const RationalNet& net) {
   ControlNet result;
   for (const RationalPolygon& row : net) {
@@ -787,16 +775,6 @@ BezierCase swapped(BezierCase bezier) {
   bezier.overlap.reset();
   bezier.pushed.reset();
   return bezier;
-}
-
-Rational exact_rational(double number) {
-  constexpr int digits_of_double = 53;
-  int exponent = 0;
-  const double digits = std::frexp(number, &exponent);
-  const Rational whole(static_cast<long>(std::ldexp(digits, digits_of_double)));
-  exponent -= digits_of_double;
-  const Integer scale = power(Integer(2), static_cast<unsigned long>(std::abs(exponent)));
-  return exponent < 0 ? whole / Rational(scale) : whole * Rational(scale);
 }
 
 std::string problem_json(const BezierCase& bezier) {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <eliminant/symbolic/arithmetic/rational.hpp>
 #include <support/bezier_case.hpp>
+#include <support/binary_numbers.hpp>
 
 namespace eliminant::test {
 
@@ -24,9 +24,6 @@ BezierCase second_reversed(BezierCase bezier);
 /// Two plane curves in the other order; what is planted and the overlap are parameters of the old first curve and are
 /// left out.
 BezierCase swapped(BezierCase bezier);
-
-/// The number that a finite double is.
-symbolic::Rational exact_rational(double number);
 
 /// A problem file that says the same; the weights are not 0.
 std::string problem_json(const BezierCase& bezier);

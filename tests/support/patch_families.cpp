@@ -52,6 +52,19 @@ PatchCase graphs(Random& random, const Polynomial& f, const Polynomial& differen
                  space);
 }
 
+/// z = g over the unit square, and z = g + F over a quadrangle in it, F in its own parameters: (u, v) is bilinear.
+PatchCase skew_graphs(Drawing& drawing, const Polynomial& difference, Space space) {
+  constexpr std::size_t degree = 3;
+  const PatchMap place = patch_map(drawing.wavy(1, 1, fraction(1, 8), fraction(3, 4), 0));
+  std::vector<Polynomial::Term> terms;
+  for (unsigned long i = 0; i <= degree; ++i)
+    for (unsigned long j = 0; i + j <= degree; ++j) terms.push_back({drawing.between(-0.5, 0.5), {i, j}});
+  const Polynomial g = Polynomial::from_terms(2, terms);
+  const std::vector<Polynomial> at{place[0], place[1]};
+  return pair_of(drawing.random, control_net(affine_patch(at[0], at[1], g.compose(at) + difference), degree, degree),
+                 control_net(affine_patch(u(), v(), g), degree, degree), space);
+}
+
 /// Every second one as it is, every second one mixed.
 Space turn(unsigned long index) { return index % 2 == 0 ? Space::as_is : Space::mixed; }
 
@@ -260,6 +273,43 @@ void add_borders(Collection& all) {
       [=](Drawing& drawing) { return (u() - number(1)) * (number(1) + sum(drawing)); }, beside);
 }
 
+/// What is planted above, in parameters that are not affine in space.
+void add_skew(Collection& all) {
+  const auto at_point = [](Drawing& drawing, bool definite) {
+    const Rational u0 = drawing.inner();
+    return form_at(drawing, u0, drawing.inner(), 3, definite);
+  };
+  const auto family = [&](const std::string& name, const std::function<Polynomial(Drawing&, unsigned long)>& planted) {
+    all.add(name, 6, [=](Drawing& drawing, unsigned long index) {
+      drawing.resolution = 16;
+      const Polynomial difference = planted(drawing, index);
+      return skew_graphs(drawing, difference, turn(index));
+    });
+  };
+  family("skew branches and loops", [](Drawing& drawing, unsigned long) {
+    const Rational level = drawing.sign() * drawing.between(0.0625, 0.25);
+    return fraction(1, 8) * (chebyshev(3, u()) * chebyshev(3, v()) - number(level));
+  });
+  family("skew loop", [=](Drawing& drawing, unsigned long index) {
+    constexpr unsigned fine_bits = 30;
+    const double size = std::pow(10.0, -static_cast<double>(1 + index % 4));
+    return at_point(drawing, true) - number(binary(size * size / 4, fine_bits));
+  });
+  family("skew gap", [=](Drawing& drawing, unsigned long index) {
+    const Rational gap = binary(std::pow(10.0, -static_cast<double>(1 + index % 5)), 24);
+    return drawing.sign() * ((index == 5 ? number(0) : at_point(drawing, true)) + number(gap));
+  });
+  family("skew contact in a point",
+         [=](Drawing& drawing, unsigned long) { return drawing.sign() * at_point(drawing, true); });
+  family("skew crossing contact", [=](Drawing& drawing, unsigned long) { return at_point(drawing, false); });
+  family("skew contact along a curve", [](Drawing& drawing, unsigned long index) {
+    const Polynomial x = u() - number(drawing.inner());
+    const Polynomial y = v() - number(drawing.inner());
+    const Polynomial line = x + drawing.between(-0.5, 0.5) * y;
+    return drawing.sign() * line * line * (index % 2 == 0 ? number(1) : drawing.between(-0.5, 0.5) * x + y);
+  });
+}
+
 std::vector<PatchCase> collected(const std::string& only) {
   Collection all(only);
   add_random(all);
@@ -267,6 +317,7 @@ std::vector<PatchCase> collected(const std::string& only) {
   add_small(all);
   add_contacts(all);
   add_borders(all);
+  add_skew(all);
   return all.take();
 }
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <support/bezier_families.hpp>
+#include <support/binary_numbers.hpp>
 
 namespace eliminant::test {
 
@@ -33,18 +33,6 @@ Integer odd_denominator(const RationalNet& net, Integer denominator) {
       for (const Rational& number : point) fmpz_lcm(denominator.get(), denominator.get(), fmpq_denref(number.get()));
   fmpz_tdiv_q_2exp(denominator.get(), denominator.get(), fmpz_val2(denominator.get()));
   return denominator;
-}
-
-double exact_double(const Rational& number) {
-  constexpr unsigned long digits_of_double = 53;
-  Integer odd = number.numerator();
-  const Integer denominator = number.denominator();
-  const auto shift = odd.is_zero() ? 0 : fmpz_val2(odd.get());
-  fmpz_tdiv_q_2exp(odd.get(), odd.get(), shift);
-  const auto below = fmpz_val2(denominator.get());
-  if (odd.bit_length() > digits_of_double || denominator.bit_length() != below + 1)
-    throw std::logic_error("a control point is no double: " + number.to_string());
-  return std::ldexp(fmpz_get_d(odd.get()), static_cast<int>(shift) - static_cast<int>(below));
 }
 
 std::string quotient_text(double number, double weight) {
