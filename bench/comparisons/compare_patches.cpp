@@ -4,7 +4,6 @@
 //   scripts/compare.sh patches [--markdown] [--only TEXT] [--all] [--limit SECONDS] [--cases N]
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -19,6 +18,7 @@
 #include <support/patch_families.hpp>
 #include <support/patch_nets.hpp>
 #include <support/patch_oracle.hpp>
+#include <support/space_distances.hpp>
 
 #include "bezier_solvers.hpp"
 #include "measured_patches.hpp"
@@ -27,6 +27,8 @@
 namespace {
 
 using namespace eliminant::comparisons;
+using eliminant::test::distance;
+using eliminant::test::distance_to_segment;
 using eliminant::test::PatchCase;
 using eliminant::test::TrueComponent;
 
@@ -84,24 +86,11 @@ struct Summary {
 
 // What was found against what is there.
 
-double distance(const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  double along = 0;
-  double length = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    along += (p[k] - a[k]) * (b[k] - a[k]);
-    length += (b[k] - a[k]) * (b[k] - a[k]);
-  }
-  const double t = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += std::pow(p[k] - a[k] - t * (b[k] - a[k]), 2);
-  return std::sqrt(sum);
-}
-
 bool is_near(const std::array<double, 3>& p, const std::vector<SpacePolyline>& polylines, double reach) {
   for (const SpacePolyline& polyline : polylines) {
-    if (polyline.size() == 1 && distance(p, polyline[0], polyline[0]) < reach) return true;
+    if (polyline.size() == 1 && distance(p, polyline[0]) < reach) return true;
     for (std::size_t k = 1; k < polyline.size(); ++k)
-      if (distance(p, polyline[k - 1], polyline[k]) < reach) return true;
+      if (distance_to_segment(p, polyline[k - 1], polyline[k]) < reach) return true;
   }
   return false;
 }

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,12 +13,14 @@
 #include <support/patch_oracle.hpp>
 #include <support/patch_sampling.hpp>
 #include <support/self_patch_families.hpp>
+#include <support/space_distances.hpp>
 
 // What the tests of patches are compared with, tested itself.
 
 using namespace eliminant;
 using symbolic::Polynomial;
 using symbolic::Rational;
+using test::distance;
 using test::PatchCase;
 using test::PatchCounts;
 using test::TrueComponent;
@@ -48,10 +49,6 @@ std::size_t crossings_of(const TrueIntersection& intersection, double u) {
     for (std::size_t k = 0; k + 1 < component.parameters.size(); ++k)
       if ((component.parameters[k][0] < u) != (component.parameters[k + 1][0] < u)) ++count;
   return count;
-}
-
-double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 }  // namespace
