@@ -106,14 +106,15 @@ TEST_CASE("Patch oracle: what is planted in a family is there") {
                                                    {"skew contact in a point", {0, 0, 1, 1}},
                                                    {"skew crossing contact", {4, 0, 0, 1}},
                                                    {"skew branches and loops", {6, 2, 0, 0}}};
-  for (const auto& [family, counts] : planted) {
+  for (const auto& entry : planted) {
+    const std::string& family = entry.first;
     CAPTURE(family);
     const std::vector<PatchCase> cases = test::patch_cases(family);
     CHECK(cases.size() >= 4);
     for (const PatchCase& patches : cases) {
       CAPTURE(patches.index);
       REQUIRE(test::substituted_in_graph(patches));
-      CHECK(test::true_intersection(patches).counts == counts);
+      CHECK(test::true_intersection(patches).counts == entry.second);
     }
   }
   const std::array<PatchCounts, 3> along{{{1, 0, 0, 0}, {4, 0, 0, 1}, {0, 1, 0, 0}}};

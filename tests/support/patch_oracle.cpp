@@ -44,7 +44,8 @@ std::optional<Row> functional(const PatchMap& map, const Polynomial& target) {
   std::array<std::size_t, 4> row_of_column{};
   std::size_t rank = 0;
   // Of several combinations that with the weight and without z.
-  for (const std::size_t k : {3, 0, 1, 2}) {
+  constexpr std::array<std::size_t, 4> order{3, 0, 1, 2};
+  for (const std::size_t k : order) {
     const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(rank);
     const auto pivot = std::find_if(begin, rows.end(), [&](const auto& row) { return !row[k].is_zero(); });
     row_of_column[k] = rows.size();
