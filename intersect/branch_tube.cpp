@@ -84,6 +84,11 @@ SpaceBox SurfacePair::point(const Charts& inverted, const ParameterBox& box) con
   return {phi[0] / phi[3], phi[1] / phi[3], phi[2] / phi[3]};
 }
 
+SpaceBox SurfacePair::second_point(const Charts& inverted, const ParameterBox& box) const {
+  const auto psi = second_.value({inverted[2], inverted[3]}, {box[2], box[3]});
+  return {psi[0] / psi[3], psi[1] / psi[3], psi[2] / psi[3]};
+}
+
 SpaceBox SurfacePair::velocity(const Charts& inverted, const ParameterBox& box, const ParameterBox& parameters) const {
   const SurfaceJet phi = first_.jet({inverted[0], inverted[1]}, {box[0], box[1]});
   const DoubleInterval scale = inverse(phi.value[3] * phi.value[3]);

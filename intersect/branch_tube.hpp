@@ -53,6 +53,8 @@ class SurfacePair {
   bool excludes(const Charts& inverted, const ParameterBox& box) const;
 
   SpaceBox point(const Charts& inverted, const ParameterBox& box) const;
+  /// The same by the second surface.
+  SpaceBox second_point(const Charts& inverted, const ParameterBox& box) const;
   /// The velocity of the point for a velocity of the parameters of the first surface.
   SpaceBox velocity(const Charts& inverted, const ParameterBox& box, const ParameterBox& parameters) const;
   const SurfaceCharts& first() const { return first_; }

@@ -52,23 +52,19 @@ bool touch(const FibreBox& a, const FibreBox& b) {
 }  // namespace
 
 std::vector<std::vector<std::size_t>> gather_boxes(const std::vector<FibreBox>& boxes) {
-  std::vector<std::size_t> group(boxes.size());
-  std::iota(group.begin(), group.end(), std::size_t{0});
+  std::vector<std::size_t> parent(boxes.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t k) {
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+  };
   for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (group[i] == group[j] || !touch(boxes[i], boxes[j])) continue;
-      const std::size_t from = group[i];
-      for (std::size_t& g : group)
-        if (g == from) g = group[j];
-    }
-  std::vector<std::vector<std::size_t>> result;
-  for (std::size_t g = 0; g < boxes.size(); ++g) {
-    std::vector<std::size_t> members;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (group[i] == g) members.push_back(i);
-    if (!members.empty()) result.push_back(std::move(members));
-  }
-  return result;
+    for (std::size_t j = 0; j < i; ++j)
+      if (touch(boxes[i], boxes[j])) parent[root(i)] = root(j);
+  std::vector<std::vector<std::size_t>> by_root(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) by_root[root(i)].push_back(i);
+  std::erase_if(by_root, [](const auto& members) { return members.empty(); });
+  return by_root;
 }
 
 std::optional<FibreBox> hull_of(const std::vector<FibreBox>& boxes, const std::vector<std::size_t>& members) {

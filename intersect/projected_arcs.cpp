@@ -41,13 +41,17 @@ symbolic::Rational exact(double value) {
 
 }  // namespace
 
-ProjectedArcs::ProjectedArcs(const symbolic::Polynomial& curve, const std::array<ProjectiveChange, 2>& changes,
-                             const Options& options, const Context& context)
+ProjectedArcs::ProjectedArcs(const symbolic::Polynomial& curve, const symbolic::Polynomial& extraneous,
+                             const std::array<ProjectiveChange, 2>& changes, const Options& options,
+                             const Context& context)
     : changes_(changes) {
   CurveTopologyProblem problem;
   problem.p = curve;
   topology_ = curve_topology(problem, options, context);
-  for (std::size_t k = 0; k < 2; ++k) hidden_[k] = symbolic::hide_variable(curve, k);
+  for (std::size_t k = 0; k < 2; ++k) {
+    hidden_[k] = symbolic::hide_variable(curve, k);
+    extraneous_[k] = symbolic::hide_variable(extraneous, k);
+  }
   for (const TopologyEdge& edge : topology_.edges) {
     ProjectedArc arc;
     arc.ends = {edge.from, edge.to};
@@ -85,7 +89,7 @@ std::vector<double> ProjectedArcs::parameters_beyond(std::size_t arc, double par
   const double sign = end == 1 ? 1 : -1;
   const double room = std::min(1 + std::fabs(parameter), sign * (limit - parameter));
   std::vector<double> result;
-  for (const double share : {1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
+  for (const double share : {2e-3, 1e-2, 0.05, 0.2, 0.5})
     if (room > 0) result.push_back(parameter + sign * share * room);
   return result;
 }
@@ -114,9 +118,10 @@ std::vector<std::size_t> ProjectedArcs::arcs_at(double x) const {
   return result;
 }
 
-std::vector<DoubleInterval> ProjectedArcs::roots_at(std::size_t kept, const symbolic::Rational& value,
-                                                    const Context& context) const {
-  bridge::RationalFibre fibre(hidden_[kept], value, context);
+std::vector<DoubleInterval> ProjectedArcs::roots_at(const symbolic::HiddenVariablePolynomial& polynomial,
+                                                    const symbolic::Rational& value, const Context& context) {
+  if (symbolic::on_vertical_line(polynomial, value).degree() < 1) return {};
+  bridge::RationalFibre fibre(polynomial, value, context);
   std::vector<DoubleInterval> roots;
   for (std::size_t k = 0; k < fibre.count(); ++k) roots.push_back(interval_of(fibre.refined(k, 60)));
   return roots;
@@ -152,7 +157,7 @@ std::optional<std::size_t> ProjectedArcs::arc_below(const SurfacePair& pair, con
   if (u.is_zero() && point.inverted[0]) return std::nullopt;
   const double x = from_chart(0, point.inverted[0])(start.at[0]);
   const DoubleInterval y = projection(*above)[1];
-  const std::vector<DoubleInterval> roots = roots_at(0, from_chart(0, point.inverted[0])(u), context);
+  const std::vector<DoubleInterval> roots = roots_at(hidden_[0], from_chart(0, point.inverted[0])(u), context);
   const std::vector<std::size_t> arcs = arcs_at(x);
   if (arcs.size() != roots.size()) return std::nullopt;
   std::optional<std::size_t> index;
@@ -173,9 +178,9 @@ std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::box_between(std::siz
                                                                         const std::array<DoubleInterval, 2>& from,
                                                                         const std::array<DoubleInterval, 2>& to,
                                                                         const Context& context) const {
-  if (arcs_[arc].vertical) return std::nullopt;
   const DoubleInterval x = hull(from[0], to[0]);
   const DoubleInterval y = hull(from[1], to[1]);
+  if (arcs_[arc].vertical) return std::array<DoubleInterval, 2>{x, y};
   if (!x.is_finite() || !y.is_finite()) return std::nullopt;
   for (double room = std::max(width(y), 1e-12 * y.magnitude() + 1e-300); room < 1e6 * (width(x) + width(y)) + 1e-9;
        room *= 4) {
@@ -201,13 +206,15 @@ std::optional<BranchSeed> ProjectedArcs::seed_above(const SurfacePair& pair, std
   if (!std::isfinite(in_chart) || in_chart == 0) return std::nullopt;
   const symbolic::Rational value = from(exact(in_chart));
   if (!contains(where.inside, enclose(value)) || enclose(value).lower == where.inside.lower) return std::nullopt;
-  const std::vector<DoubleInterval> roots = roots_at(own, value, context);
+  const std::vector<DoubleInterval> roots = roots_at(hidden_[own], value, context);
   const auto index = root_of(arc, parameter, roots);
   if (!index || *index >= roots.size()) return std::nullopt;
   const DoubleInterval root = roots[*index];
   double gap = 1 + root.magnitude();
   if (*index > 0) gap = std::min(gap, root.lower - roots[*index - 1].upper);
   if (*index + 1 < roots.size()) gap = std::min(gap, roots[*index + 1].lower - root.upper);
+  for (const DoubleInterval& other : roots_at(extraneous_[own], value, context))
+    gap = std::min(gap, std::max(root.lower - other.upper, other.lower - root.upper));
   if (!(gap > 0)) return std::nullopt;
 
   BranchSeed seed;

@@ -29,8 +29,9 @@ class ProjectedArcs {
  public:
   /// `curve` is not constant; `changes` give u and t of the surfaces for those of the projection. Throws as
   /// curve_topology does.
-  ProjectedArcs(const symbolic::Polynomial& curve, const std::array<ProjectiveChange, 2>& changes,
-                const Options& options, const Context& context);
+  /// Points of the intersection may also lie above `extraneous` = 0, no zero polynomial; seeds never do.
+  ProjectedArcs(const symbolic::Polynomial& curve, const symbolic::Polynomial& extraneous,
+                const std::array<ProjectiveChange, 2>& changes, const Options& options, const Context& context);
 
   const TopologyResult& topology() const { return topology_; }
   const std::vector<ProjectedArc>& arcs() const { return arcs_; }
@@ -47,7 +48,7 @@ class ProjectedArcs {
   /// The parameters of the projection of a point.
   std::array<DoubleInterval, 2> projection(const PointEnclosure& point) const;
   /// All of the arc between the abscissae of two of its points lies in the box of both that is returned: the curve does
-  /// not meet the horizontal sides. nullopt when that is not proven, and for vertical lines.
+  /// not meet the horizontal sides. nullopt when that is not proven.
   std::optional<std::array<DoubleInterval, 2>> box_between(std::size_t arc, const std::array<DoubleInterval, 2>& from,
                                                            const std::array<DoubleInterval, 2>& to,
                                                            const Context& context) const;
@@ -61,14 +62,16 @@ class ProjectedArcs {
  private:
   /// The arcs above and below each other at an abscissa, ascending.
   std::vector<std::size_t> arcs_at(double x) const;
-  /// The roots of D on a line u or t = constant, ascending.
-  std::vector<DoubleInterval> roots_at(std::size_t kept, const symbolic::Rational& value, const Context& context) const;
+  /// The real roots on a line u or t = constant, ascending.
+  static std::vector<DoubleInterval> roots_at(const symbolic::HiddenVariablePolynomial& polynomial,
+                                              const symbolic::Rational& value, const Context& context);
   /// Which of the roots on its line belongs to the arc.
   std::optional<std::size_t> root_of(std::size_t arc, double parameter, const std::vector<DoubleInterval>& roots) const;
 
   TopologyResult topology_;
   std::array<ProjectiveChange, 2> changes_;
   std::array<symbolic::HiddenVariablePolynomial, 2> hidden_;
+  std::array<symbolic::HiddenVariablePolynomial, 2> extraneous_;
   std::vector<ProjectedArc> arcs_;
 };
 

@@ -129,7 +129,7 @@ VertexLifts::Found VertexLifts::above(const TopologyVertex& vertex, const std::a
   Found found;
   const bool one_point = has_corank_one(vertex);
   for (const double side : {0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22}) {
-    const auto boxes = fibre_boxes(pair_, charts, kept[0], kept[1], side, 20000);
+    const auto boxes = fibre_boxes(pair_, charts, kept[0], kept[1], side, 3000);
     if (!boxes) return found;
     std::vector<FibreBox> groups;
     for (const auto& members : gather_boxes(*boxes)) {

@@ -25,14 +25,14 @@ Options topology_options(const Options& options) {
 
 }  // namespace
 
-WholeCurve::WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve, const Options& options,
-                       const Context& context)
+WholeCurve::WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve,
+                       const symbolic::Polynomial& extraneous, const Options& options, const Context& context)
     : surfaces_(surfaces),
       options_(options),
       context_(context),
       pair_(surfaces.first, surfaces.second),
       matrix_(surfaces.changed_first(), surfaces.changed_second()),
-      arcs_(curve, surfaces.change, topology_options(options), context),
+      arcs_(curve, extraneous, surfaces.change, topology_options(options), context),
       lifts_(pair_, matrix_, surfaces.with_itself),
       weights_(weight_factors(surfaces.first, surfaces.second, options.seed)) {}
 
@@ -79,6 +79,9 @@ void WholeCurve::trace_all(SurfaceResult& result) {
   std::vector<Branch> branches;
   for (std::size_t seed = 0; seed < arcs; ++seed)
     if (visits_[seed] == 0) branches.push_back(trace_from(seed, result));
+  for (const Branch& branch : branches)
+    for (const std::optional<ArcEnd>& end : branch.ends)
+      if (end && !branch.closed) ++state(arcs_.arcs()[end->arc].ends[end->end], result).branches;
   if (surfaces_.with_itself) fold(branches, result);
   for (const Branch& branch : branches) add_components(branch, result);
   if (std::any_of(visits_.begin(), visits_.end(), [](std::size_t visits) { return visits != 1; }))
@@ -139,22 +142,42 @@ WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed
     if (traced.closed) break;
     branch.ends[1] = arc_end(traced, from, forward);
     if (!branch.ends[1] || is_end(*branch.ends[1], branch.points.back(), result)) break;
-    const auto next = seed_beyond(*branch.ends[1], branch.points.back());
-    if (!next) break;
+    std::optional<std::size_t> vertex;
+    std::optional<std::size_t> next;
+    if (!is_near(branch.ends[1]->arc, branch.ends[1]->end, branch.points.back(), 1e-3))
+      next = seed_beyond(*branch.ends[1], branch.points.back());
+    if (!next) {
+      vertex = turn_at_vertex(*branch.ends[1]);
+      if (vertex) next = seed_beyond(*branch.ends[1], branch.points.back());
+    }
+    if (!next) {
+      branch.ends[1].reset();
+      break;
+    }
     // The arc goes on, and the branch above it: draw it from the other side, too.
     from = *next;
     const std::size_t arc = branch.ends[1]->arc;
-    const bool increasing = arcs_.from_chart(0, seeds_[from].point.inverted[0]).is_increasing();
+    const std::size_t axis = seeds_[from].axis;
+    const std::size_t own = axis == 0 ? 0 : 1;
+    const bool increasing = arcs_.from_chart(own, seeds_[from].point.inverted[axis]).is_increasing();
     forward = (branch.ends[1]->end == 1) == increasing;
-    const TracedBranch back = tracer.trace(from, !forward, from);
+    TracedBranch back = tracer.trace(from, !forward, from);
+    const double left = middle(arcs_.projection(branch.points.back())[own]);
+    const auto is_behind = [&](const BranchSegment& segment) {
+      const double x = middle(arcs_.projection(segment.end)[own]);
+      if (vertex) return false;
+      return branch.ends[1]->end == 1 ? x < left : x > left;
+    };
+    // Nothing but the least step was in the way: what is behind was traced before.
+    if (!back.passages.empty() || std::any_of(back.segments.begin(), back.segments.end(), is_behind)) back = {};
     for (const SeedPassage& passage : back.passages) ++visits_[passage.seed];
     const PointEnclosure beyond = back.segments.empty() ? seeds_[from].point : back.segments.back().end;
-    auto error = gap_error(arc, branch.points.back(), beyond);
+    const auto error = gap_error(arc, branch.points.back(), beyond, vertex);
     if (!error)
       branch.reason = "how far the polyline is from the curve is not proven near a point that tubes cannot pass";
     branch.gaps.push_back(branch.errors.size());
     branch.errors.push_back(error.value_or(0));
-    branch.crosses.push_back(false);
+    branch.crosses.push_back(weight_changes_sign(branch.points.back(), beyond));
     if (surfaces_.with_itself)
       for (const BranchSegment& segment : back.segments) branch.tubes.push_back(segment.tube);
     for (std::size_t k = back.segments.size(); k-- > 0;) {
@@ -167,6 +190,20 @@ WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed
   return branch;
 }
 
+std::optional<std::size_t> WholeCurve::turn_at_vertex(ArcEnd& end) const {
+  const std::size_t index = arcs_.arcs()[end.arc].ends[end.end];
+  const TopologyVertex& vertex = arcs_.topology().vertices[index];
+  if (vertex.kind == VertexKind::infinity || vertex.milnor_number > 0 || vertex.half_branches() != 2)
+    return std::nullopt;
+  for (std::size_t arc = 0; arc < arcs_.arcs().size(); ++arc)
+    for (std::size_t side = 0; side < 2; ++side)
+      if (arcs_.arcs()[arc].ends[side] == index && !(arc == end.arc && side == end.end)) {
+        end = {arc, 1 - side};
+        return index;
+      }
+  return std::nullopt;
+}
+
 bool WholeCurve::is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceResult& result) {
   const std::size_t index = arcs_.arcs()[end.arc].ends[end.end];
   const TopologyVertex& vertex = arcs_.topology().vertices[index];
@@ -177,16 +214,25 @@ bool WholeCurve::is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceRe
     for (const DoubleInterval& x : pair_.point(last.inverted, last.box)) reach = std::max(reach, x.magnitude());
     return reach > drawn_reach * limits_.size;
   }
+  return is_near(end.arc, end.end, last, 1e-2);
+}
+
+bool WholeCurve::is_near(std::size_t arc, std::size_t end, const PointEnclosure& last, double tolerance) const {
+  const std::size_t index = arcs_.arcs()[arc].ends[end];
+  if (arcs_.topology().vertices[index].kind == VertexKind::infinity) return false;
   const auto at = arcs_.projection(last);
   const auto goal = arcs_.enclosure(index);
   for (std::size_t i = 0; i < 2; ++i)
-    if (!(std::fabs(middle(at[i]) - middle(goal[i])) < 1e-2 * (1 + goal[i].magnitude()))) return false;
+    if (!(std::fabs(middle(at[i]) - middle(goal[i])) < tolerance * (1 + goal[i].magnitude()))) return false;
   return true;
 }
 
 std::optional<std::size_t> WholeCurve::seed_beyond(const ArcEnd& end, const PointEnclosure& last) {
-  if (arcs_.arcs()[end.arc].vertical) return std::nullopt;
-  const double parameter = middle(arcs_.projection(last)[0]);
+  const auto at = arcs_.projection(last);
+  const ProjectedArc& arc = arcs_.arcs()[end.arc];
+  double parameter = middle(at[arc.vertical ? 1 : 0]);
+  // Where the arc begins beyond a vertex.
+  parameter = std::min(std::max(parameter, arc.inside.lower), arc.inside.upper);
   for (const double beyond : arcs_.parameters_beyond(end.arc, parameter, end.end)) {
     auto seed = arcs_.seed_above(pair_, end.arc, beyond, context_);
     if (!seed) continue;
@@ -198,28 +244,47 @@ std::optional<std::size_t> WholeCurve::seed_beyond(const ArcEnd& end, const Poin
   return std::nullopt;
 }
 
-std::optional<double> WholeCurve::gap_error(std::size_t arc, const PointEnclosure& from,
-                                            const PointEnclosure& to) const {
-  const auto box = arcs_.box_between(arc, arcs_.projection(from), arcs_.projection(to), context_);
+std::optional<double> WholeCurve::gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to,
+                                            const std::optional<std::size_t>& vertex) const {
+  auto at = arcs_.projection(from);
+  if (vertex)
+    for (std::size_t i = 0; i < 2; ++i) at[i] = hull(at[i], arcs_.enclosure(*vertex)[i]);
+  const auto box = arcs_.box_between(arc, at, arcs_.projection(to), context_);
   if (!box) return std::nullopt;
   std::array<DoubleInterval, 2> kept;
   for (std::size_t i = 0; i < 2; ++i) kept[i] = arcs_.from_chart(i, from.inverted[3 * i]).inverse()((*box)[i]);
-  const double size = std::max(width(kept[0]), width(kept[1]));
-  if (!std::isfinite(size)) return std::nullopt;
-  const auto boxes = fibre_boxes(pair_, from.inverted, kept[0], kept[1], std::max(size, 1e-9), 20000);
-  if (!boxes) return std::nullopt;
+  if (!kept[0].is_finite() || !kept[1].is_finite()) return std::nullopt;
+  std::optional<double> best;
+  for (double side = 0x1p-6; side > 1e-9; side /= 8) {
+    const auto boxes = fibre_boxes(pair_, from.inverted, kept[0], kept[1], side, 1000);
+    if (!boxes) break;
+    const auto error = distance_within(*boxes, from, to);
+    if (error && best && *error > 0.5 * *best) break;
+    if (error) best = error;
+  }
+  return best;
+}
+
+std::optional<double> WholeCurve::distance_within(const std::vector<FibreBox>& boxes, const PointEnclosure& from,
+                                                  const PointEnclosure& to) const {
   // v and s change continuously along the branch, so that it stays in boxes that touch.
-  for (const auto& members : gather_boxes(*boxes)) {
-    const auto group = hull_of(*boxes, members);
+  for (const auto& members : gather_boxes(boxes)) {
+    const auto group = hull_of(boxes, members);
     if (!group) return std::nullopt;
     const auto holds = [&](const PointEnclosure& point) {
       const ParameterBox moved = in_charts(point.box, point.inverted, group->inverted);
       return overlap(moved[1], group->box[1]) && overlap(moved[2], group->box[2]);
     };
     if (!holds(from) || !holds(to)) continue;
-    double square = 0;
-    for (const DoubleInterval& x : pair_.point(group->inverted, group->box)) square += width(x) * width(x);
-    if (std::isfinite(square)) return std::sqrt(square) * (1 + 1e-12);
+    // Both surfaces hold the branch.
+    double least = std::numeric_limits<double>::infinity();
+    for (const SpaceBox& point :
+         {pair_.point(group->inverted, group->box), pair_.second_point(group->inverted, group->box)}) {
+      double square = 0;
+      for (const DoubleInterval& x : point) square += width(x) * width(x);
+      least = std::min(least, std::sqrt(square) * (1 + 1e-12));
+    }
+    if (std::isfinite(least)) return least;
   }
   return std::nullopt;
 }
@@ -383,6 +448,22 @@ void WholeCurve::add_singular_point(std::size_t index, VertexState& state, Surfa
   }
   singular.certified = vertex.certified;
   if (!singular.certified) singular.reason = "the singular point of the projection is not proven";
+  // Of one surface a point shows twice, with both preimages exchanged.
+  const auto is_same = [&](const SurfaceSingularPoint& other) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double a = singular.at.parameters[i];
+      const double b = other.at.parameters[(i + 2) % 4];
+      if (a != b && !(std::fabs(a - b) <= 2 * (singular.radius + other.radius) * (1 + std::fabs(a)))) return false;
+    }
+    return true;
+  };
+  if (surfaces_.with_itself)
+    for (std::size_t k = 0; k < result.singular_points.size(); ++k)
+      if (result.singular_points[k].kind == singular.kind && is_same(result.singular_points[k])) {
+        state.singular_point = k;
+        state.repeats = true;
+        return;
+      }
   state.singular_point = result.singular_points.size();
   result.singular_points.push_back(std::move(singular));
 }
@@ -397,7 +478,7 @@ void WholeCurve::finish_vertices(SurfaceResult& result) {
     if (found.at_infinity) {
       ++result.counts.excluded;
     } else if (found.singular_point) {
-      if (vertex.half_branches() == 0) {
+      if (vertex.half_branches() == 0 && !found.repeats) {
         SurfaceComponent component;
         component.kind = SurfaceComponentKind::point;
         component.points = {result.singular_points[*found.singular_point].at};
@@ -407,7 +488,8 @@ void WholeCurve::finish_vertices(SurfaceResult& result) {
         component.tangential = true;
         component.certified = result.singular_points[*found.singular_point].certified;
         result.components.push_back(std::move(component));
-      } else if (found.branches != vertex.half_branches()) {
+      }
+      if (found.branches != vertex.half_branches()) {
         doubt(result, "not all branches at the singular point above " + place + " were followed to it");
       }
     } else if (found.lift.lift == VertexLift::complex && vertex.half_branches() == 0) {
@@ -429,8 +511,7 @@ BranchEnd WholeCurve::branch_end(const Branch& branch, std::size_t which, Surfac
   const std::optional<ArcEnd>& end = branch.ends[which];
   if (end) {
     const std::size_t vertex = arcs_.arcs()[end->arc].ends[end->end];
-    VertexState& there = state(vertex, result);
-    ++there.branches;
+    const VertexState& there = state(vertex, result);
     if (there.at_infinity) {
       found.kind = BranchEndKind::infinity;
       return found;
@@ -480,23 +561,31 @@ SurfaceComponent WholeCurve::component(const Branch& branch, std::size_t first, 
   return result;
 }
 
-void WholeCurve::close_gaps(SurfaceComponent& piece, const SurfaceResult& result) const {
-  auto& points = piece.points;
-  const auto gap = [&](const SurfacePoint& from, const SurfacePoint& to) {
-    double square = 0;
-    for (std::size_t i = 0; i < 3; ++i) square += (from.point[i] - to.point[i]) * (from.point[i] - to.point[i]);
-    piece.error = std::max(piece.error, std::sqrt(square));
-  };
-  if (piece.start.singular_point) {
-    const SurfacePoint& end = result.singular_points[*piece.start.singular_point].at;
-    gap(points.front(), end);
-    points.insert(points.begin(), end);
+void WholeCurve::close_gap(SurfaceComponent& piece, const Branch& branch, std::size_t end, const BranchEnd& at,
+                           const SurfaceResult& result) const {
+  if (!at.singular_point) return;
+  const SurfaceSingularPoint& point = result.singular_points[*at.singular_point];
+  piece.points.insert(end == 0 ? piece.points.begin() : piece.points.end(), point.at);
+  std::optional<double> error;
+  if (branch.pinch_points[end]) {
+    error = point.radius;
+  } else if (branch.ends[end]) {
+    const std::size_t vertex = arcs_.arcs()[branch.ends[end]->arc].ends[branch.ends[end]->end];
+    const FibreBox& box = *states_.at(vertex).lift.box;
+    const PointEnclosure& last = end == 0 ? branch.points.front() : branch.points.back();
+    error = gap_error(branch.ends[end]->arc, last, {box.inverted, box.box});
   }
-  if (piece.end.singular_point) {
-    const SurfacePoint& end = result.singular_points[*piece.end.singular_point].at;
-    gap(points.back(), end);
-    points.push_back(end);
-  }
+  if (error)
+    piece.error = std::max(piece.error, *error);
+  else if (piece.reason.empty())
+    piece.reason = "how far the polyline is from the curve is not proven near a singular point";
+}
+
+bool WholeCurve::weight_changes_sign(const PointEnclosure& from, const PointEnclosure& to) const {
+  const ParameterBox moved = in_charts(to.box, to.inverted, from.inverted);
+  return std::any_of(weights_.begin(), weights_.end(), [&](const WeightFactor& factor) {
+    return middle(factor.jet(from.inverted, from.box).value) * middle(factor.jet(from.inverted, moved).value) < 0;
+  });
 }
 
 void WholeCurve::fold(std::vector<Branch>& branches, SurfaceResult& result) {
@@ -546,13 +635,16 @@ void WholeCurve::halve(Branch& branch, SurfaceResult& result) {
                              {point.inverted[0], point.inverted[1], point.inverted[0], point.inverted[1]})[i + 2]);
         return (b - a) * (point.inverted[i] ? -1 : 1);
       };
-      turns = turns && difference(branch.points[gap]) * difference(branch.points[gap + 1]) < 0;
+      const double before = difference(branch.points[gap]);
+      const double after = difference(branch.points[gap + 1]);
+      turns = turns && (before * after < 0 || std::max(std::fabs(before), std::fabs(after)) < 1e-9);
     }
     if (turns) turning.push_back(gap);
   }
   std::sort(turning.begin(), turning.end());
   if (turning.size() != (branch.closed ? 2U : 1U)) {
-    doubt(result, "the pinch points of a branch were not found");
+    branch.reason = "the pinch points of the branch were not found";
+    doubt(result, branch.reason);
     return;
   }
   const auto pinch_point = [&](std::size_t gap) {
@@ -630,10 +722,12 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
         component(open, first, k, start.kind == BranchEndKind::infinity, end.kind == BranchEndKind::infinity);
     piece.start = start;
     piece.end = end;
-    close_gaps(piece, result);
     piece.mirrored = branch.mirrored;
-    piece.certified = reason.empty();
     piece.reason = reason;
+    if (first == 0) close_gap(piece, branch, 0, start, result);
+    if (is_last) close_gap(piece, branch, 1, end, result);
+    piece.certified = piece.reason.empty();
+    if (!piece.certified) doubt(result, piece.reason);
     result.components.push_back(std::move(piece));
     start = at_infinity;
     first = k + 1;

@@ -41,9 +41,9 @@ struct PreparedSurfaces {
 /// The intersection curve above a squarefree projection, each of whose points has one common point above it in general.
 class WholeCurve {
  public:
-  /// All must outlive the object.
-  WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve, const Options& options,
-             const Context& context);
+  /// All must outlive the object. `extraneous` is the product of the other factors of the determinant.
+  WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve,
+             const symbolic::Polynomial& extraneous, const Options& options, const Context& context);
 
   /// Fills components, singular points, counts and warnings. True when all of it is proven.
   bool find(SurfaceResult& result);
@@ -75,6 +75,7 @@ class WholeCurve {
     bool at_infinity = false;
     std::optional<std::size_t> singular_point;
     std::size_t branches = 0;  ///< that ended there
+    bool repeats = false;      ///< the singular point is that of another vertex
   };
 
   void trace_all(SurfaceResult& result);
@@ -85,10 +86,19 @@ class WholeCurve {
   void append(Branch& branch, const TracedBranch& traced) const;
   /// Whether the branch ends at the end of the arc, near which it was left.
   bool is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceResult& result);
+  /// Whether a point is near the vertex at an end of an arc.
+  bool is_near(std::size_t arc, std::size_t end, const PointEnclosure& last, double tolerance) const;
   std::optional<std::size_t> seed_beyond(const ArcEnd& end, const PointEnclosure& last);
   /// Bounds the distance of the chord from the branch above the arc between two points of it.
-  std::optional<double> gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to) const;
+  /// Over a vertex at which two arcs meet, if one is given.
+  std::optional<double> gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to,
+                                  const std::optional<std::size_t>& vertex = {}) const;
+  /// Goes on to the other arc at a smooth vertex, whose index is returned.
+  std::optional<std::size_t> turn_at_vertex(ArcEnd& end) const;
   std::optional<ArcEnd> arc_end(const TracedBranch& traced, std::size_t seed, bool forward) const;
+  /// The diameter in space of the boxes that touch and hold both points.
+  std::optional<double> distance_within(const std::vector<FibreBox>& boxes, const PointEnclosure& from,
+                                        const PointEnclosure& to) const;
   /// Whether a traced branch is proven to stay above the inside of an arc, from a segment on.
   bool stays_above(std::size_t arc, std::size_t axis, const TracedBranch& traced, std::size_t first_segment) const;
   VertexState& state(std::size_t vertex, SurfaceResult& result);
@@ -96,8 +106,10 @@ class WholeCurve {
   void add_singular_point(std::size_t vertex, VertexState& state, SurfaceResult& result);
   void finish_vertices(SurfaceResult& result);
   BranchEnd branch_end(const Branch& branch, std::size_t end, SurfaceResult& result, std::string& reason);
-  /// Draws an arc up to the singular points at its ends.
-  void close_gaps(SurfaceComponent& piece, const SurfaceResult& result) const;
+  /// Draws a branch up to the singular point at its end.
+  void close_gap(SurfaceComponent& piece, const Branch& branch, std::size_t end, const BranchEnd& at,
+                 const SurfaceResult& result) const;
+  bool weight_changes_sign(const PointEnclosure& from, const PointEnclosure& to) const;
   /// Of a surface with itself: of every two branches that the exchange of both points maps to each other one remains;
   /// of a branch mapped to itself the half from pinch point to its end, or to the next pinch point.
   void fold(std::vector<Branch>& branches, SurfaceResult& result);

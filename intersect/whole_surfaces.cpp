@@ -6,8 +6,11 @@
 #include <cmath>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/bridge/isolated_roots.hpp>
+#include <eliminant/intersect/contracted_lines.hpp>
 #include <eliminant/intersect/whole_curve.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
+#include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
 #include <eliminant/symbolic/elimination/change_of_variables.hpp>
 
 namespace eliminant::intersect {
@@ -20,6 +23,9 @@ using symbolic::DeterminantVanishing;
 using Clock = std::chrono::steady_clock;
 
 const std::array<const char*, 4> names{"u", "v", "s", "t"};
+
+constexpr const char* contracted =
+    "a curve of parameters is contracted to a common point; whether that lies on the curve is not proven";
 
 /// Changes of a projective line; the first leaves everything as it is.
 constexpr std::array<ProjectiveChange, 6> changes{
@@ -60,6 +66,7 @@ class WholeIntersection {
   void begin(const symbolic::RationalSurface& first, const symbolic::RationalSurface& second, unsigned exchanged) {
     result_ = SurfaceResult();
     proven_ = true;
+    components_are_changed_ = false;
     const bool exchange_first = (exchanged & 1U) != 0;
     const bool exchange_second = (exchanged & 2U) != 0;
     surfaces_.emplace(PreparedSurfaces{exchange_first ? exchange_parameters(first) : first,
@@ -78,8 +85,19 @@ class WholeIntersection {
            });
   }
 
+  /// False where the factor, in one variable, has no real root.
+  static bool may_be_real(const symbolic::Polynomial& factor) {
+    const std::size_t variable = factor.degree(0) > 0 ? 0 : 1;
+    if (factor.degree(1 - variable) > 0) return true;
+    const symbolic::UnivariatePolynomial p =
+        symbolic::hide_variable(factor, variable).leading_coefficient().primitive_part();
+    const Context context;
+    return !bridge::IsolatedRoots::real(p, context).balls().empty();
+  }
+
   void doubt(const std::string& reason) {
     proven_ = false;
+    if (std::find(result_.warnings.begin(), result_.warnings.end(), reason) != result_.warnings.end()) return;
     result_.warnings.push_back(reason);
   }
 
@@ -110,6 +128,7 @@ class WholeIntersection {
         eliminant_ = surfaces_->with_itself ? symbolic::self_intersection_eliminant(first, options_.seed, context_)
                                             : symbolic::intersection_eliminant(first, surfaces_->changed_second(),
                                                                                options_.seed, context_);
+        components_are_changed_ = true;
         if (hides_components_at_infinity()) continue;
       } else if (!change.is_identity()) {
         eliminant_.curve =
@@ -124,6 +143,15 @@ class WholeIntersection {
     doubt("no parameters were found for which the projection is in general position at infinity");
   }
 
+  /// The factors of the determinant that are no projections of curves, in the parameters of the projection.
+  symbolic::Polynomial extraneous() const {
+    symbolic::Polynomial product = symbolic::Polynomial::constant(2, 1);
+    for (const symbolic::EliminantComponent& component : eliminant_.components)
+      if (component.kind != ComponentKind::curve) product = product * component.factor;
+    if (components_are_changed_) return product;
+    return change_parameters(product, {product.degree(0), product.degree(1)}, surfaces_->change).primitive_part();
+  }
+
   void report_projection() {
     std::vector<std::string> kept{names[surfaces_->source[0]], names[surfaces_->source[3]]};
     if (surfaces_->with_itself) kept = {"u", "v"};
@@ -134,13 +162,24 @@ class WholeIntersection {
     result_.engine.seed = options_.seed;
   }
 
+  /// Above a general point of a simple factor the matrix has corank one, so that there is one common point at most.
   void judge_components() {
     for (const symbolic::EliminantComponent& component : eliminant_.components) {
       if (component.kind == ComponentKind::curve) {
         if (component.infinite_parameters) doubt("a parameter is infinite all along a component of the curve");
         if (component.meetings != 1) doubt("above a component of the projection there are several common points");
+        if (component.multiplicity > 1 && component.meetings == 1)
+          doubt("a component of the projection is multiple: the surfaces may be tangent along it");
+      } else if (!component.proven) {
+        doubt("what is above a factor of the eliminant was seen modulo primes, not proven: " +
+              std::string(symbolic::explanation(component.kind)));
+      } else if (component.kind == ComponentKind::contracted_curve && may_be_real(component.factor)) {
+        doubt(contracted);
       }
     }
+    if (!surfaces_->with_itself && !(contracts_nothing_to(surfaces_->first, surfaces_->second, context_) &&
+                                     contracts_nothing_to(surfaces_->second, surfaces_->first, context_)))
+      doubt(contracted);
     if (!eliminant_.stationary.empty())
       doubt("common curves may be hidden: along them both parameters of the projection are constant");
   }
@@ -159,7 +198,8 @@ class WholeIntersection {
     judge_components();
     const auto chosen = Clock::now();
     if (!eliminant_.curve.is_constant()) {
-      WholeCurve curve(*surfaces_, eliminant_.curve, options_, context_);
+      const symbolic::Polynomial others = extraneous();
+      WholeCurve curve(*surfaces_, eliminant_.curve, others, options_, context_);
       proven_ = curve.find(result_) && proven_;
     }
     count();
@@ -215,6 +255,7 @@ class WholeIntersection {
   std::optional<PreparedSurfaces> surfaces_;
   BezoutianEliminant eliminant_;
   SurfaceResult result_;
+  bool components_are_changed_ = false;
   bool proven_ = true;
 };
 
