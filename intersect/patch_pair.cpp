@@ -42,10 +42,6 @@ void make_weights_positive(PreparedNet& net) {
     for (Rational& coordinate : point) coordinate = Rational(0) - coordinate;
 }
 
-bool has_positive_weights(const PreparedNet& net) {
-  return std::all_of(net.exact.points.begin(), net.exact.points.end(), [](const auto& p) { return p[3].sign() > 0; });
-}
-
 class PatchPair {
  public:
   PatchPair(PreparedNet first, PreparedNet second, double tolerance, const Context& context)
@@ -381,6 +377,10 @@ PreparedNet prepared_patch(const symbolic::SurfacePiece& piece, const char* whic
   throw InvalidInput(std::string("the ") + which +
                      " surface is no patch: a tensor-product map that depends on both parameters, on a domain of "
                      "positive area, was expected");
+}
+
+bool has_positive_weights(const PreparedNet& net) {
+  return std::all_of(net.exact.points.begin(), net.exact.points.end(), [](const auto& p) { return p[3].sign() > 0; });
 }
 
 double size_of(const PreparedNet& net) {

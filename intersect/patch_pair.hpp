@@ -18,6 +18,8 @@ SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbo
 /// `which` names the surface.
 PreparedNet prepared_patch(const symbolic::SurfacePiece& piece, const char* which);
 
+bool has_positive_weights(const PreparedNet& net);
+
 /// Largest side of the box around the control points.
 double size_of(const PreparedNet& net);
 

@@ -13,16 +13,13 @@
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
+#include <eliminant/intersect/patch_parts.hpp>
 
 namespace eliminant::intersect {
 
 namespace {
 
-using symbolic::Integer;
 using symbolic::Rational;
-
-/// Where a patch is cut along both parameters, in [0, 1], from 0 to 1.
-using Grid = std::array<std::vector<Rational>, 2>;
 
 double nearest(const Rational& value) {
   bridge::RealBall ball;
@@ -30,43 +27,10 @@ double nearest(const Rational& value) {
   return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
 }
 
-/// About equal parts. The lines of the two grids differ, and have no symmetry: inputs do, and their double curves would
-/// pass through corners.
-Grid grid_of(std::size_t parts, bool second) {
-  Grid grid;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    grid[axis].emplace_back(0);
-    for (std::size_t i = 1; i < parts; ++i) {
-      // Shifted by up to a fifth of a part: steps of the golden ratio, in 1024ths.
-      const auto turn = static_cast<long>((i * 633 + axis * 217 + (second ? 391 : 58)) % 1024);
-      const Rational shift = Rational((turn - 512) * 2 / 5) / Rational(1024);
-      grid[axis].push_back((Rational(static_cast<long>(i)) + shift) / Rational(static_cast<long>(parts)));
-    }
-    grid[axis].emplace_back(1);
-  }
-  return grid;
-}
-
-/// A part of the patch between neighbouring lines.
-struct Part {
-  bridge::ParameterRectangle rectangle;
-  symbolic::SurfacePiece piece;
-  std::optional<PreparedNet> net;
-  /// Around its control points.
-  std::array<double, 3> lower{};
-  std::array<double, 3> upper{};
-};
-
 bool touch(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
   for (std::size_t k = 0; k < 2; ++k)
     if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return false;
   return true;
-}
-
-bool apart(const Part& a, const Part& b) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return true;
-  return false;
 }
 
 bridge::ParameterRectangle hull(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
@@ -78,19 +42,21 @@ bridge::ParameterRectangle hull(const bridge::ParameterRectangle& a, const bridg
   return result;
 }
 
-std::vector<bridge::ParameterRectangle> rectangles_of(const Grid& grid) {
-  std::vector<bridge::ParameterRectangle> result;
-  for (std::size_t i = 0; i + 1 < grid[0].size(); ++i)
-    for (std::size_t j = 0; j + 1 < grid[1].size(); ++j)
-      result.push_back(
-          {{nearest(grid[0][i]), nearest(grid[1][j])}, {nearest(grid[0][i + 1]), nearest(grid[1][j + 1])}});
-  return result;
-}
+/// Indices of parts of two trees.
+struct PartPair {
+  std::size_t first = 0;
+  std::size_t second = 0;
+};
 
 class PatchWithItself {
  public:
   PatchWithItself(const symbolic::SurfacePiece& patch, const Options& options, const Context& context)
-      : patch_(patch), net_(prepared_patch(patch, "")), options_(options), context_(context) {}
+      : patch_(patch),
+        net_(prepared_patch(patch, "")),
+        options_(options),
+        context_(context),
+        first_(patch, 0),
+        second_(patch, 1) {}
 
   SurfaceResult run() && {
     const auto start = std::chrono::steady_clock::now();
@@ -99,11 +65,13 @@ class PatchWithItself {
     result_.engine.precision_bits = 53;
     result_.status = Status::numeric;
     const auto rounded = net_.rounded(net_.origin());
-    if (!rounded) {
-      result_.warnings.push_back("coordinates are beyond the range in which hardware doubles are safe");
+    if (!rounded || !has_positive_weights(net_)) {
+      result_.warnings.push_back(
+          "the patch has weights of both signs or zero, or coordinates beyond the range of doubles: it was not looked "
+          "at");
     } else {
       result_.status = Status::certified;
-      choose_grids(*rounded);
+      separate(*rounded);
       intersect_parts();
       finish(*rounded);
     }
@@ -113,76 +81,72 @@ class PatchWithItself {
   }
 
  private:
-  /// Parts that touch must have injective hulls: then all double points are between parts that do not touch.
-  void choose_grids(const bridge::ControlNet& net) {
-    constexpr std::size_t most_parts = 32;
-    for (std::size_t parts = 1; parts <= most_parts; parts *= 2) {
-      first_grid_ = grid_of(parts, false);
-      second_grid_ = grid_of(parts, true);
-      folded_.clear();
-      const auto first = rectangles_of(first_grid_);
-      const auto second = rectangles_of(second_grid_);
-      for (const bridge::ParameterRectangle& a : first)
-        for (const bridge::ParameterRectangle& b : second) {
-          if (!touch(a, b) || bridge::is_injective_on(net, hull(a, b))) continue;
-          const bridge::ParameterRectangle h = hull(a, b);
-          folded_.push_back(
-              {{h.lower[0], h.lower[1], h.lower[0], h.lower[1]}, {h.upper[0], h.upper[1], h.upper[0], h.upper[1]}});
-        }
-      if (folded_.empty() || explain_folds(net)) return;
+  /// Pairs of parts, until those that touch have injective hulls or explain what is between them: then all other double
+  /// points are between parts that do not touch.
+  void separate(const bridge::ControlNet& net) {
+    std::vector<PartPair> touching{{0, 0}};
+    constexpr int most_levels = 12;
+    constexpr std::size_t most_pairs = 30000;
+    for (int level = 0; level < most_levels && !touching.empty() && touching.size() < most_pairs; ++level) {
+      std::vector<PartPair> folded;
+      for (const PartPair& pair : touching) {
+        const PatchPart& a = first_.part(pair.first);
+        const PatchPart& b = second_.part(pair.second);
+        if (!touch(a.rectangle, b.rectangle))
+          separated_.push_back(pair);
+        else if (!bridge::is_injective_on(net, hull(a.rectangle, b.rectangle)))
+          folded.push_back(pair);
+      }
+      folded = without_pinches(net, folded);
+      touching.clear();
+      if (level + 1 == most_levels || folded.size() * 16 > most_pairs) {
+        for (const PartPair& pair : folded) open_.push_back(box_of(pair));
+        return;
+      }
+      for (const PartPair& pair : folded)
+        for (const std::size_t i : first_.children(pair.first))
+          for (const std::size_t j : second_.children(pair.second)) touching.push_back({i, j});
       context_.checkpoint("looking for parts without self-intersection");
     }
   }
 
-  /// Where the surface turns most there may be a pinch point, and nothing else.
-  bool explain_folds(const bridge::ControlNet& net) {
-    pinches_.clear();
-    for (const bridge::CellBox& box : clusters_of(folded_)) {
-      const bridge::ParameterRectangle rectangle{{box.lower[0], box.lower[1]}, {box.upper[0], box.upper[1]}};
-      const auto pinch = bridge::pinch_point_in(net, rectangle);
-      if (!pinch) return false;
-      pinches_.push_back({*pinch, rectangle});
-    }
-    folded_.clear();
-    return true;
+  /// The hull of both parts, for both preimages.
+  bridge::CellBox box_of(const PartPair& pair) const {
+    const bridge::ParameterRectangle h = hull(first_.part(pair.first).rectangle, second_.part(pair.second).rectangle);
+    return {{h.lower[0], h.lower[1], h.lower[0], h.lower[1]}, {h.upper[0], h.upper[1], h.upper[0], h.upper[1]}};
   }
 
-  std::vector<Part> parts_of(const Grid& grid) const {
-    std::vector<Part> parts;
-    const auto rectangles = rectangles_of(grid);
-    const auto place = [&](std::size_t axis, const Rational& local) {
-      const symbolic::Interval& side = patch_.region->sides[axis];
-      return side.lower + local * (side.upper - side.lower);
-    };
-    for (std::size_t i = 0; i + 1 < grid[0].size(); ++i)
-      for (std::size_t j = 0; j + 1 < grid[1].size(); ++j) {
-        symbolic::SurfacePiece piece = patch_;
-        piece.region->sides[0] = {place(0, grid[0][i]), place(0, grid[0][i + 1])};
-        piece.region->sides[1] = {place(1, grid[1][j]), place(1, grid[1][j + 1])};
-        Part part{rectangles[parts.size()], piece, prepared_patch(piece, ""), {}, {}};
-        part.lower.fill(INFINITY);
-        part.upper.fill(-INFINITY);
-        for (const bridge::ExactPoint& point : part.net->exact.points)
-          for (std::size_t k = 0; k < 3; ++k) {
-            const double x = point[3].sign() > 0 ? nearest(point[k] / point[3]) : NAN;
-            const double slack = 1e-12 * std::fabs(x);
-            part.lower[k] = std::min(part.lower[k], x - slack);
-            part.upper[k] = std::max(part.upper[k], x + slack);
-          }
-        parts.push_back(std::move(part));
-      }
-    return parts;
+  /// Where the surface turns much there may be a pinch point and nothing else; the pairs of which that is not proven.
+  std::vector<PartPair> without_pinches(const bridge::ControlNet& net, const std::vector<PartPair>& folded) {
+    std::vector<bridge::CellBox> boxes;
+    for (const PartPair& pair : folded) boxes.push_back(box_of(pair));
+    std::vector<bridge::ParameterRectangle> explained;
+    for (const bridge::CellBox& box : clusters_of(boxes)) {
+      const bridge::ParameterRectangle rectangle{{box.lower[0], box.lower[1]}, {box.upper[0], box.upper[1]}};
+      const auto pinch = bridge::pinch_point_in(net, rectangle);
+      if (!pinch) continue;
+      pinches_.push_back({*pinch, rectangle});
+      explained.push_back(rectangle);
+    }
+    std::vector<PartPair> rest;
+    for (std::size_t i = 0; i < folded.size(); ++i) {
+      const auto holds = [&](const bridge::ParameterRectangle& r) {
+        for (std::size_t k = 0; k < 2; ++k)
+          if (boxes[i].lower[k] < r.lower[k] || boxes[i].upper[k] > r.upper[k]) return false;
+        return true;
+      };
+      if (std::none_of(explained.begin(), explained.end(), holds)) rest.push_back(folded[i]);
+    }
+    return rest;
   }
 
   void intersect_parts() {
-    const std::vector<Part> first = parts_of(first_grid_);
-    const std::vector<Part> second = parts_of(second_grid_);
     const double tolerance = options_.tolerance * size_of(net_);
-    for (const Part& a : first)
-      for (const Part& b : second) {
-        if (touch(a.rectangle, b.rectangle) || apart(a, b) || result_.limit) continue;
-        append(result_, intersect_patches(*a.net, *b.net, tolerance, context_));
-      }
+    for (const PartPair& pair : separated_) {
+      if (result_.limit) return;
+      if (apart(first_.part(pair.first), second_.part(pair.second))) continue;
+      append(result_, intersect_patches(first_.net(pair.first), second_.net(pair.second), tolerance, context_));
+    }
   }
 
   void finish(const bridge::ControlNet& net) {
@@ -194,7 +158,7 @@ class PatchWithItself {
     join_branches(result_, bounds);
     remove_mirror_images(result_);
     for (const Pinch& pinch : pinches_) add_pinch(net, pinch);
-    for (const bridge::CellBox& box : clusters_of(folded_)) add_fold(box);
+    for (const bridge::CellBox& box : clusters_of(open_)) add_fold(box);
     summarise(result_);
   }
 
@@ -323,10 +287,12 @@ class PatchWithItself {
   PreparedNet net_;
   const Options& options_;
   const Context& context_;
-  Grid first_grid_;
-  Grid second_grid_;
+  PartTree first_;
+  PartTree second_;
+  /// Of parts that do not touch.
+  std::vector<PartPair> separated_;
   /// Hulls of parts that touch and are not known to be injective, as boxes of pairs of parameters.
-  std::vector<bridge::CellBox> folded_;
+  std::vector<bridge::CellBox> open_;
   std::vector<Pinch> pinches_;
   SurfaceResult result_;
 };
