@@ -121,6 +121,7 @@ void check_on_patches(const SurfaceResult& result, const ControlNet& first, cons
   const double rounding = 1e-14 * size;
   const std::array<PowerPatch, 2> patches{PowerPatch(first), PowerPatch(second)};
   double worst = 0;
+  bool inside = true;
   for (const SurfaceComponent& component : result.components) {
     CHECK(component.error <= 1.000001e-9 * 2 * size);
     for (std::size_t k = 0; k < component.points.size(); ++k) {
@@ -129,7 +130,7 @@ void check_on_patches(const SurfaceResult& result, const ControlNet& first, cons
         const double u = here.parameters[2 * side];
         const double v = here.parameters[2 * side + 1];
         worst = std::max(worst, distance_to_patch(here.point, patches[side], u, v) - component.error);
-        CHECK((u >= 0 && u <= 1 && v >= 0 && v <= 1));
+        inside = inside && u >= 0 && u <= 1 && v >= 0 && v <= 1;
         if (k == 0) continue;
         std::array<double, 3> middle;
         for (std::size_t i = 0; i < 3; ++i) middle[i] = (here.point[i] + component.points[k - 1].point[i]) / 2;
@@ -138,6 +139,7 @@ void check_on_patches(const SurfaceResult& result, const ControlNet& first, cons
     }
   }
   CHECK(worst <= rounding);
+  CHECK(inside);
 }
 
 /// Every point of the true components is near a polyline: their distance is the error and what the chords of the
@@ -172,10 +174,7 @@ bool says_why(const SurfaceResult& result) {
 
 /// Families of which the engine does not prove every case.
 bool may_stay_open(const std::string& family) {
-  static const std::set<std::string> families{"branches and loops, degree 3",
-                                              "branches and loops, degree 5",
-                                              "rational branches and loops, degree 3",
-                                              "skew branches and loops",
+  static const std::set<std::string> families{"branches and loops, degree 5",
                                               "loop of diameter 1e-3",
                                               "loop of diameter 1e-4",
                                               "gap of 1e-4",
@@ -316,7 +315,9 @@ TEST_CASE("Patch families: numbers, proofs and places of all components") {
     // Components that were sampled are only where the samples are.
     const bool exact = test::substituted_in_graph(patches).has_value();
     check_proven(answer, patches, truth.counts, exact ? truth.components : std::vector<TrueComponent>{});
-    if (!is_chosen(patches.index, 1)) continue;
+    // Waves of degree 5 take longest.
+    const bool dear = patches.family == "branches and loops, degree 5";
+    if (!is_chosen(patches.index, dear ? 0 : 1)) continue;
     check_invariance(patches, answer);
     if (patches.family.starts_with("random")) fibres += check_fibres(patches, answer, all_families() ? 200 : 40);
   }
@@ -330,7 +331,7 @@ TEST_CASE("Patch families: double curves of one patch, and embedded patches") {
   Tally tally;
   for (const test::SelfPatchCase& patch : test::self_patch_cases(only_family())) {
     const PatchCase& patches = patch.patches;
-    if (!is_chosen(patches.index, 2)) continue;
+    if (!is_chosen(patches.index, 1)) continue;
     INFO(patches.family, " ", patches.index, ": ", test::problem_json(patches));
     const SurfaceResult result = solve(patches);
     INFO(summary(result));
@@ -346,8 +347,8 @@ TEST_CASE("Patch families: double curves of one patch, and embedded patches") {
     // Arcs may be cut where three of them meet.
     if (counts_of(result).curves != truth.counts.curves) truth.counts.curves += 3 * patch.triple_points;
     check_proven(result, patches, truth.counts, truth.components);
-    if (is_chosen(patches.index, 1)) check_invariance(patches, result);
+    check_invariance(patches, result);
   }
   MESSAGE(tally.text());
-  if (only_family().empty()) CHECK(tally.cases >= (all_families() ? 40 : 16));
+  if (only_family().empty()) CHECK(tally.cases >= (all_families() ? 40 : 8));
 }
