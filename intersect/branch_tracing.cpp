@@ -230,6 +230,8 @@ TracedBranch BranchTracer::trace(std::size_t seed, bool forward, std::size_t ori
       }
       const auto crosses = crosses_infinity(*segment);
       bool clear = crosses.has_value();
+      // Next to a passage through infinity shorter tubes know that they do not reach it.
+      if (clear && !*crosses && !std::isfinite(segment->error) && step > 1e-5) clear = false;
       if (clear) segment->crosses_infinity = *crosses;
       passages.clear();
       const bool leaving = result.segments.empty();

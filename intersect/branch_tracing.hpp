@@ -80,7 +80,7 @@ struct TracingLimits {
   /// beyond a modulus of their parameters.
   double reach = std::numeric_limits<double>::infinity();
   double largest_parameter = 1e3;
-  std::size_t most_segments = 100000;
+  std::size_t most_segments = 20000;
 };
 
 /// Follows smooth branches by overlapping tubes, without ever passing from one to another.

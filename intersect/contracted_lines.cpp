@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <eliminant/base/error.hpp>
 #include <eliminant/bridge/isolated_roots.hpp>
+#include <eliminant/intersect/prepared_surface.hpp>
 #include <eliminant/intersect/projection_charts.hpp>
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
+#include <eliminant/symbolic/elimination/implicit_equation.hpp>
 #include <eliminant/symbolic/elimination/squarefree.hpp>
 
 namespace eliminant::intersect {
@@ -15,6 +18,14 @@ namespace {
 
 using symbolic::UnivariatePolynomial;
 using Point = std::array<DoubleInterval, 4>;
+
+/// Zero where all points have weight zero for the value of the first parameter.
+UnivariatePolynomial infinity_condition(const symbolic::RationalSurface& surface) {
+  UnivariatePolynomial result;
+  for (const auto& coefficient : symbolic::hide_variable(surface.coordinates()[3], 0).coefficients)
+    result = gcd(result, coefficient);
+  return result;
+}
 
 /// Zero where the surface is one point for the value of its first parameter: the gcd of the minors of order two of its
 /// coefficients in the second one.
@@ -65,13 +76,35 @@ bool avoids(const SurfaceCharts& surface, const Point& point) {
   return true;
 }
 
+/// The same by the implicit equation, which base points do not disturb, for surfaces of low degree.
+bool equation_excludes(const symbolic::RationalSurface& surface, const Point& point, const Context& context) {
+  constexpr long largest_degree = 8;
+  const symbolic::SurfacePiece piece{surface, std::nullopt};
+  PreparedSurface prepared(piece, 0, context);
+  if (prepared.degree().product > largest_degree) return false;
+  try {
+    const symbolic::Polynomial equation =
+        symbolic::implicit_equation(prepared.map(), prepared.matrix(), prepared.degree(), 0, context);
+    DoubleInterval sum;
+    for (const auto& term : equation.terms()) {
+      DoubleInterval product = enclose(term.coefficient);
+      for (std::size_t c = 0; c < 4; ++c)
+        for (unsigned long e = 0; e < term.exponents[c]; ++e) product = product * point[c];
+      sum = sum + product;
+    }
+    return sum.excludes_zero();
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
 bool avoids_contracted_point(const SurfaceCharts& surface, bool inverted, const DoubleInterval& value,
-                             const SurfaceCharts& other) {
+                             const symbolic::RationalSurface& other, const Context& context) {
   // Another value of the second parameter where this one gives a base point.
   for (const double second : {0.25, 0.5, -0.75}) {
     const Point point = surface.value({inverted, false}, {value, DoubleInterval(second)});
     if (std::any_of(point.begin(), point.end(), [](const auto& x) { return x.excludes_zero(); }))
-      return avoids(other, point);
+      return avoids(SurfaceCharts(other), point) || equation_excludes(other, point, context);
   }
   return false;
 }
@@ -80,7 +113,6 @@ bool avoids_contracted_point(const SurfaceCharts& surface, bool inverted, const 
 
 bool contracts_nothing_to(const symbolic::RationalSurface& surface, const symbolic::RationalSurface& other,
                           const Context& context) {
-  const SurfaceCharts other_charts(other);
   for (const bool exchanged : {false, true}) {
     const symbolic::RationalSurface turned = exchanged ? exchange_parameters(surface) : surface;
     const SurfaceCharts charts(turned);
@@ -89,12 +121,18 @@ bool contracts_nothing_to(const symbolic::RationalSurface& surface, const symbol
     // The same with the inverse of the parameter, at 0.
     const symbolic::RationalSurface reversed = change_parameters(turned, {chart(true), ProjectiveChange()});
     const UnivariatePolynomial at_infinity = contraction_condition(reversed);
-    if (at_infinity.coefficient(0) == symbolic::Integer(0) &&
-        !avoids_contracted_point(charts, true, DoubleInterval(0), other_charts))
+    const bool is_affine = !(infinity_condition(reversed).coefficient(0) == symbolic::Integer(0));
+    if (is_affine && at_infinity.coefficient(0) == symbolic::Integer(0) &&
+        !avoids_contracted_point(charts, true, DoubleInterval(0), other, context))
       return false;
     if (condition.degree() < 1) continue;
     for (const auto& part : symbolic::squarefree_decomposition(condition)) {
-      bridge::IsolatedRoots roots = bridge::IsolatedRoots::real(part.factor, context);
+      // Points at infinity are no contacts.
+      const UnivariatePolynomial infinite = gcd(part.factor, infinity_condition(turned));
+      UnivariatePolynomial affine;
+      fmpz_poly_div(affine.get(), part.factor.get(), infinite.get());
+      if (affine.degree() < 1) continue;
+      bridge::IsolatedRoots roots = bridge::IsolatedRoots::real(affine, context);
       for (std::size_t k = 0; k < roots.balls().size(); ++k) {
         roots.refine(k, 60, context);
         const bridge::ComplexBall& root = roots.balls()[k];
@@ -102,8 +140,8 @@ bool contracts_nothing_to(const symbolic::RationalSurface& surface, const symbol
         const double radius = 1e-14 * std::fabs(centre) + mag_get_d(arb_radref(root.real()));
         const DoubleInterval value = DoubleInterval::around(centre, radius);
         const bool inverted = std::fabs(centre) > 1;
-        if (!avoids_contracted_point(charts, inverted, inverted ? eliminant::intersect::inverse(value) : value,
-                                     other_charts))
+        if (!avoids_contracted_point(charts, inverted, inverted ? eliminant::intersect::inverse(value) : value, other,
+                                     context))
           return false;
       }
     }

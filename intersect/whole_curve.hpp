@@ -18,6 +18,9 @@
 
 namespace eliminant::intersect {
 
+/// Points farther away, compared with the size of the curve, are not drawn.
+inline constexpr double drawn_reach = 100;
+
 /// Two surfaces, or one twice, in parameters (u, v) and (s, t) that suit the projection to (u, t).
 struct PreparedSurfaces {
   symbolic::RationalSurface first;
@@ -39,11 +42,17 @@ struct PreparedSurfaces {
 };
 
 /// The intersection curve above a squarefree projection, each of whose points has one common point above it in general.
+/// Branches are traced (whole_curve), ended and continued over gaps (whole_curve_ends), singular points explained
+/// (whole_curve_vertices), both copies of double curves folded (whole_curve_folding), all presented
+/// (whole_curve_components).
 class WholeCurve {
  public:
   /// All must outlive the object. `extraneous` is the product of the other factors of the determinant.
   WholeCurve(const PreparedSurfaces& surfaces, const symbolic::Polynomial& curve,
              const symbolic::Polynomial& extraneous, const Options& options, const Context& context);
+
+  WholeCurve(const WholeCurve&) = delete;
+  WholeCurve& operator=(const WholeCurve&) = delete;
 
   /// Fills components, singular points, counts and warnings. True when all of it is proven.
   bool find(SurfaceResult& result);

@@ -282,3 +282,16 @@ TEST_CASE("Whole surfaces: exchanging the surfaces changes nothing") {
   CHECK(result.counts.loops == exchanged.counts.loops);
   CHECK(result.counts.curves == exchanged.counts.curves);
 }
+
+TEST_CASE("Whole surfaces: a branch through infinity is cut there once, also where tracing began") {
+  const SurfaceResult result = intersection({"1", "-3*u*v+u+v-2", "-3*u*v-u+5*v+2", "u*v+u+3*v-3"},
+                                            {"-3*s^2+4*s*t-5*s+2*t-3", "-2*s^2*t+5*s^2+2*s*t+5*s+2*t+2",
+                                             "-4*s^2*t+3*s^2-4*s*t+2*s+4*t+3", "3*s^2-5*s*t+2*s"});
+  CHECK(result.status == Status::certified);
+  check_counts(result, 6, 0, 0, 0);
+  for (const SurfaceComponent& component : result.components) {
+    CHECK(component.start.kind == BranchEndKind::infinity);
+    CHECK(component.end.kind == BranchEndKind::infinity);
+    CHECK(std::isfinite(component.error));
+  }
+}
