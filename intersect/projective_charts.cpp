@@ -23,6 +23,29 @@ Polynomial reversed(const Polynomial& p, std::size_t variable, long degree) {
   return Polynomial::from_terms(2, terms);
 }
 
+/// A part of a projective line, or the inverses of its parameters.
+struct Side {
+  symbolic::Interval interval;
+  bool inverted = false;
+};
+
+/// Four parts of the projective line, cut at different places for each of u, v, s, t, and where no symmetry of the
+/// input is: so curves do not pass through corners. On a part across 0 the Bernstein coefficients of 1 + x^2 would not
+/// be positive, so both are cut once more.
+std::vector<Side> sides_of(std::size_t parameter) {
+  using symbolic::Rational;
+  // In 64ths: lower and upper end, and a place between, for the parameter and for its inverse.
+  constexpr std::array<std::array<long, 4>, 4> places{
+      {{-55, 71, 5, -7}, {-67, 59, -9, 4}, {-61, 73, 7, 3}, {-69, 57, -4, -6}}};
+  const auto& [lower, upper, between, between_inverse] = places[parameter];
+  const auto part = [](long n) { return Rational(n) / Rational(64); };
+  const auto inverse = [](long n) { return Rational(64) / Rational(n); };
+  return {{{part(lower), part(between)}, false},
+          {{part(between), part(upper)}, false},
+          {{inverse(lower), part(between_inverse)}, true},
+          {{part(between_inverse), inverse(upper)}, true}};
+}
+
 double nearest(const symbolic::Rational& value) {
   bridge::RealBall ball;
   arb_set_fmpq(ball.get(), value.get(), 64);
@@ -31,24 +54,25 @@ double nearest(const symbolic::Rational& value) {
 
 }  // namespace
 
-std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface) {
+std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface, std::size_t which) {
   std::vector<ProjectiveChart> charts;
-  const symbolic::Interval side{symbolic::Rational(-1), symbolic::Rational(1)};
   for (const SurfacePiece& piece : surface.pieces) {
     if (piece.region) {
       charts.push_back({piece, {}});
       continue;
     }
-    for (const bool u : {false, true})
-      for (const bool v : {false, true}) {
+    const std::vector<Side> sides_u = sides_of(2 * which);
+    const std::vector<Side> sides_v = sides_of(2 * which + 1);
+    for (const Side& u : sides_u)
+      for (const Side& v : sides_v) {
         std::vector<Polynomial> coordinates = piece.map.coordinates();
         for (Polynomial& p : coordinates) {
-          if (u) p = reversed(p, 0, piece.map.bidegree()[0]);
-          if (v) p = reversed(p, 1, piece.map.bidegree()[1]);
+          if (u.inverted) p = reversed(p, 0, piece.map.bidegree()[0]);
+          if (v.inverted) p = reversed(p, 1, piece.map.bidegree()[1]);
         }
         charts.push_back({{RationalSurface(RationalSurface::Kind::tensor_product, std::move(coordinates)),
-                           symbolic::ParameterRegion{{side, side}, false}},
-                          {u, v}});
+                           symbolic::ParameterRegion{{u.interval, v.interval}, false}},
+                          {u.inverted, v.inverted}});
       }
   }
   return charts;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include <eliminant/intersect/branch_joining.hpp>
@@ -17,9 +18,9 @@ struct ProjectiveChart {
   std::array<bool, 2> inverted{};
 };
 
-/// Patches that make up the surface: its pieces; without domains the projective parameter lines are [-1, 1] and the
-/// inverse of [-1, 1], four patches.
-std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface);
+/// Patches that make up the surface: its pieces; without domains four parts of each projective parameter line, half of
+/// them by the inverse parameter. `which` is 0 for the first surface and 1 for the second, whose parts differ.
+std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface, std::size_t which);
 
 /// From the parameters of the charts to those of the surfaces.
 void to_surface_parameters(SurfaceResult& result, const ProjectiveChart& first, const ProjectiveChart& second);

@@ -35,8 +35,8 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
                                const Context& context) {
   SurfaceResult result;
   result.status = Status::certified;
-  const std::vector<ProjectiveChart> others = projective_charts(second);
-  for (const ProjectiveChart& a : projective_charts(first))
+  const std::vector<ProjectiveChart> others = projective_charts(second, 1);
+  for (const ProjectiveChart& a : projective_charts(first, 0))
     for (const ProjectiveChart& b : others) {
       if (result.limit) break;
       SurfaceResult part = intersect_patches(a.piece, b.piece, options, context);
@@ -46,6 +46,23 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
   join_branches(result, domain_bounds(first, second));
   summarise(result);
   return result;
+}
+
+/// By charts, whose curves are traced to the tolerance, where that is proven; else by the eliminant, which is told in
+/// any case.
+SurfaceResult intersect_whole(const ParametricSurface& first, const ParametricSurface& second, const Options& options,
+                              const Context& context) {
+  const RationalSurface& a = first.pieces.front().map;
+  const RationalSurface& b = second.pieces.front().map;
+  if (options.engine != Engine::exact) {
+    SurfaceResult by_charts = intersect_charts(first, second, options, context);
+    if (by_charts.status == Status::certified || options.engine == Engine::box) {
+      by_charts.projection =
+          SurfaceProjection{{"u", "t"}, symbolic::intersection_eliminant(a, b, options.seed, context)};
+      return by_charts;
+    }
+  }
+  return intersect_whole_surfaces(a, b, options, context);
 }
 
 double extent(const SurfaceResult& result) {
@@ -92,10 +109,8 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
   require_tensor_product(*first);
   require_tensor_product(*second);
   const Options tracing = tracing_options(options);
-  SurfaceResult result =
-      is_whole(*first) && is_whole(*second)
-          ? intersect_whole_surfaces(first->pieces.front().map, second->pieces.front().map, tracing, context)
-          : intersect_charts(*first, *second, tracing, context);
+  SurfaceResult result = is_whole(*first) && is_whole(*second) ? intersect_whole(*first, *second, tracing, context)
+                                                               : intersect_charts(*first, *second, tracing, context);
   result.problem = "surface_surface";
   fit_splines(result, options);
   return result;
