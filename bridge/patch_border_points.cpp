@@ -124,9 +124,17 @@ class BorderSearch {
     };
     const ContactProver::Exact of_patch = [&]() -> const ExactNet& { return *exact_[1 - own]; };
     ContactProver prover(curve, patch, of_curve, of_patch);
-    const SubdivisionResult found = bernstein_subdivision(
-        curve, patch, [&](const std::array<double, 3>& near, double reach) { return prover.find(near, reach); },
-        SubdivisionLimits(), context_);
+    const FindContact find_contact = [&](const std::array<double, 3>& near, double reach) {
+      return prover.find(near, reach);
+    };
+    SubdivisionResult found = bernstein_subdivision(curve, patch, find_contact, SubdivisionLimits(), context_);
+    if (!found.complete || !found.open.empty()) {
+      // Small parts of larger patches are so flat that nearly parallel ones can still be told apart.
+      SubdivisionLimits flat;
+      flat.part = 0x1p-12;
+      flat.largest_radius = 0x1p-16;
+      found = bernstein_subdivision(curve, patch, find_contact, flat, context_);
+    }
     if (!found.complete || !found.open.empty()) {
       const auto parts = contained_parts_(axis, side);
       for (const auto& [lower, upper] : parts) result_.contained.push_back({axis, side, lower, upper});

@@ -8,9 +8,7 @@ namespace eliminant::bridge {
 
 using symbolic::Rational;
 
-std::optional<Rational> simple_fraction(double value, double accuracy) {
-  // With many more, a number that is not rational would have one often.
-  constexpr double largest_denominator = 4096;
+std::optional<Rational> simple_fraction(double value, double accuracy, double largest_denominator) {
   constexpr double largest_power_of_two = 0x1p20;
   const double scaled = value * largest_power_of_two;
   if (std::fabs(scaled - std::round(scaled)) <= accuracy * largest_power_of_two)

@@ -127,8 +127,10 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
     const double at = x[static_cast<long>(k)];
     constexpr double inside = 1e-9;
     if (!(at > inside) || !(at < 1 - inside)) return std::nullopt;
-    constexpr double accuracy = 1e-10;
-    const auto fraction = simple_fraction(at, accuracy);
+    // Parts of domains have large denominators.
+    constexpr double accuracy = 1e-12;
+    constexpr double largest_denominator = 0x1p18;
+    const auto fraction = simple_fraction(at, accuracy, largest_denominator);
     if (!fraction) return std::nullopt;
     contact.parameters[k] = *fraction;
   }

@@ -282,10 +282,7 @@ class PatchPair {
     bridge::BranchTracer tracer(first_net_, second_net_);
     for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
       const bridge::CellArc& arc = graph_.arcs[chain.arcs[i]];
-      bridge::TracedArc traced =
-          arc.contact ? tracer.trace_to_contact(graph_.points[arc.from], graph_.contacts[*arc.contact], *prover_,
-                                                tolerance_, context_)
-                      : tracer.trace(graph_.points[arc.from], graph_.points[arc.to], arc.box, tolerance_, context_);
+      bridge::TracedArc traced = traced_arc(tracer, arc);
       if (chain.reversed[i]) std::reverse(traced.points.begin(), traced.points.end());
       component.error = std::max(component.error, traced.error);
       component.certified = component.certified && traced.proven;
@@ -301,6 +298,17 @@ class PatchPair {
       component.end = end_at(chain.end, component);
     }
     result_.components.push_back(std::move(component));
+  }
+
+  bridge::TracedArc traced_arc(bridge::BranchTracer& tracer, const bridge::CellArc& arc) const {
+    const bridge::CrossingPoint& from = graph_.points[arc.from];
+    if (!arc.contact) return tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
+    // Next to a contact doubles tell both surfaces apart so far only.
+    bridge::TracedArc traced;
+    constexpr double most = 4096;
+    for (double factor = 1; !traced.proven && factor < most; factor *= 4)
+      traced = tracer.trace_to_contact(from, graph_.contacts[*arc.contact], *prover_, factor * tolerance_, context_);
+    return traced;
   }
 
   /// What the sum with the origin and its rounding add.
