@@ -83,7 +83,7 @@ class Subdivision {
       result_.complete = false;
       return;
     }
-    if (pair_.apart() || is_known(frame)) {
+    if (is_outside(frame) || pair_.apart() || is_known(frame)) {
       frames_.pop_back();
       return;
     }
@@ -149,6 +149,13 @@ class Subdivision {
     pair_.second.points = pair_.first.points + pair_.first.shape.size();
     pair_.first.error = frame.first_error;
     pair_.second.error = frame.second_error;
+  }
+
+  /// Narrowing leaves a margin, which may be all that is left.
+  static bool is_outside(const Frame& frame) {
+    for (std::size_t k = 0; k < N; ++k)
+      if (frame.lower[k] > 1 + place_slack || frame.lower[k] + frame.width[k] < -place_slack) return true;
+    return false;
   }
 
   /// True when the pair lies where a known zero is the only one.
