@@ -58,15 +58,24 @@ void run(benchmark::State& state, const std::vector<Input>& inputs, const Solve&
   state.counters["certified"] = static_cast<double>(certified);
 }
 
-void pairs(benchmark::State& state, const std::vector<std::string>& families) {
+/// `tolerance` as in the options.
+void pairs_within(benchmark::State& state, const std::vector<std::string>& families, double tolerance) {
   std::vector<std::pair<SurfacePiece, SurfacePiece>> inputs;
   for (const std::string& family : families)
     for (const auto& patches : eliminant::test::patch_cases(family))
       inputs.emplace_back(eliminant::test::surface_piece(patches.first),
                           eliminant::test::surface_piece(patches.second));
-  run(state, inputs, [](const auto& input) {
-    return eliminant::intersect::intersect_patches(input.first, input.second, {}, eliminant::Context());
+  eliminant::intersect::Options options;
+  options.tolerance = tolerance;
+  run(state, inputs, [&](const auto& input) {
+    return eliminant::intersect::intersect_patches(input.first, input.second, options, eliminant::Context());
   });
+}
+
+void pairs(benchmark::State& state, const std::vector<std::string>& families) { pairs_within(state, families, 1e-6); }
+
+void pairs_by_default(benchmark::State& state, const std::vector<std::string>& families) {
+  pairs_within(state, families, eliminant::intersect::Options().tolerance);
 }
 
 void alone(benchmark::State& state, const std::vector<std::string>& families) {
@@ -75,7 +84,9 @@ void alone(benchmark::State& state, const std::vector<std::string>& families) {
     for (const auto& patch : eliminant::test::self_patch_cases(family))
       inputs.push_back(eliminant::test::surface_piece(patch.patches.first));
   run(state, inputs, [](const SurfacePiece& input) {
-    return eliminant::intersect::intersect_patch_with_itself(input, {}, eliminant::Context());
+    eliminant::intersect::Options options;
+    options.tolerance = 1e-6;
+    return eliminant::intersect::intersect_patch_with_itself(input, options, eliminant::Context());
   });
 }
 
@@ -90,6 +101,7 @@ BENCHMARK_CAPTURE(pairs, one_loop,
                   Families{"loop of diameter 1e-1", "loop of diameter 1e-2", "loop of diameter 1e-3",
                            "loop of diameter 1e-4"})
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pairs_by_default, bicubic, Families{"random bicubic"})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pairs, disjoint, Families{"gap of 1e-1", "gap of 1e-2", "gap of 1e-3", "gap of 1e-4", "gap of 1e-5"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pairs, contact_in_a_point, Families{"contact in a point", "crossing contact"})

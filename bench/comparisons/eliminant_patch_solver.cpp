@@ -11,7 +11,10 @@ namespace eliminant::comparisons {
 PatchRun eliminant_patches(const test::PatchCase& patches) {
   const auto result = std::make_shared<intersect::SurfaceResult>();
   const auto run = [result, first = test::surface_piece(patches.first), second = test::surface_piece(patches.second)] {
-    *result = intersect::intersect_patches(first, second, {}, Context());
+    // As far as the others go.
+    intersect::Options options;
+    options.tolerance = 1e-6;
+    *result = intersect::intersect_patches(first, second, options, Context());
   };
   const auto found = [result] {
     FoundPolylines polylines;
