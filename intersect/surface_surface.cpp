@@ -9,6 +9,7 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/branch_spline.hpp>
+#include <eliminant/intersect/implicit_section.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
 #include <eliminant/intersect/projective_charts.hpp>
 #include <eliminant/intersect/whole_surfaces.hpp>
@@ -65,6 +66,17 @@ SurfaceResult intersect_whole(const ParametricSurface& first, const ParametricSu
   return intersect_whole_surfaces(a, b, options, context);
 }
 
+/// One of both is given by an equation.
+SurfaceResult intersect_with_equation(const SurfaceSurfaceProblem& problem, const Options& options,
+                                      const Context& context) {
+  const bool equation_first = std::holds_alternative<symbolic::Polynomial>(problem.first);
+  const auto& surface = std::get<ParametricSurface>(equation_first ? problem.second : problem.first);
+  const auto& equation = std::get<symbolic::Polynomial>(equation_first ? problem.first : problem.second);
+  SurfaceResult result = intersect_surface_with_equation(surface, equation, options, context);
+  if (equation_first) exchange_surfaces(result);
+  return result;
+}
+
 double extent(const SurfaceResult& result) {
   double size = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -104,13 +116,13 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
   const auto* second = std::get_if<ParametricSurface>(&problem.second);
   if (first == nullptr && second == nullptr)
     throw InvalidInput("both surfaces are given by equations", "at least one surface with parameters");
-  if (first == nullptr || second == nullptr)
-    throw InvalidInput("a surface given by an equation cannot be intersected with a surface yet", "two parameters");
-  require_tensor_product(*first);
-  require_tensor_product(*second);
+  for (const ParametricSurface* surface : {first, second})
+    if (surface != nullptr) require_tensor_product(*surface);
   const Options tracing = tracing_options(options);
-  SurfaceResult result = is_whole(*first) && is_whole(*second) ? intersect_whole(*first, *second, tracing, context)
-                                                               : intersect_charts(*first, *second, tracing, context);
+  SurfaceResult result = first == nullptr || second == nullptr ? intersect_with_equation(problem, tracing, context)
+                         : is_whole(*first) && is_whole(*second)
+                             ? intersect_whole(*first, *second, tracing, context)
+                             : intersect_charts(*first, *second, tracing, context);
   result.problem = "surface_surface";
   fit_splines(result, options);
   return result;
