@@ -15,23 +15,16 @@
 #include <eliminant/bridge/section_tracing.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
+#include <eliminant/intersect/section_frame.hpp>
 #include <eliminant/intersect/section_graph.hpp>
 
 namespace eliminant::intersect {
 
 namespace {
 
-using bridge::ControlNet;
 using symbolic::Polynomial;
-using symbolic::Rational;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-double nearest(const Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
 
 class PatchSection {
  public:
@@ -42,7 +35,7 @@ class PatchSection {
         roles_(roles),
         options_(options),
         context_(context),
-        net_(prepared_patch(patch, "parametrised")) {}
+        frame_(patch, prepared_patch(patch, "parametrised")) {}
 
   SurfaceResult run() && {
     result_.engine.method = "equation";
@@ -61,16 +54,8 @@ class PatchSection {
   void add_overlap() {
     SurfaceComponent component;
     component.kind = SurfaceComponentKind::overlap;
-    for (const auto& [u, v] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
-      const std::size_t row = net_.exact.degrees[1] + 1;
-      const std::size_t index = (u == 0 ? 0 : net_.exact.degrees[0] * row) + (v == 0 ? 0 : row - 1);
-      const bridge::ExactPoint& corner = net_.exact.points[index];
-      SurfacePoint point;
-      point.parameters = {to_domain(0, u), to_domain(1, v), unknown, unknown};
-      for (std::size_t k = 0; k < 3; ++k)
-        point.point[k] = corner[3].is_zero() ? unknown : nearest(corner[k] / corner[3]);
-      component.points.push_back(point);
-    }
+    for (const auto& [u, v] : {std::pair(0U, 0U), std::pair(1U, 0U), std::pair(1U, 1U), std::pair(0U, 1U)})
+      component.points.push_back(frame_.corner(u, v));
     component.certified = options_.certify;
     result_.components.push_back(std::move(component));
     result_.status = Status::infinite;
@@ -90,48 +75,29 @@ class PatchSection {
       }
     std::erase_if(factors_, [](const SectionFactor& factor) { return factor.kind == SectionFactorKind::at_infinity; });
     if (factors_.empty()) return false;
-    weight_has_one_sign_ = std::all_of(net_.exact.points.begin(), net_.exact.points.end(),
-                                       [](const bridge::ExactPoint& p) { return p[3].sign() > 0; });
-    if (!weight_has_one_sign_)
+    if (!frame_.weight_has_one_sign())
       for (SectionFactor& factor : section_factors(patch_.map, patch_.map.coordinates()[3], options_.seed))
         factors_.push_back(std::move(factor));
     return true;
   }
 
-  double to_domain(std::size_t k, double local) const {
-    const double lower = nearest(net_.domain[k].lower);
-    const double upper = nearest(net_.domain[k].upper);
-    return local == 1 ? upper : lower + local * (upper - lower);
-  }
-
   void find() {
-    graph_.emplace(patch_, factors_, weight_has_one_sign_, roles_, options_, context_);
+    graph_.emplace(patch_, factors_, frame_.weight_has_one_sign(), roles_, options_, context_);
     if (!graph_->complete()) {
       result_.status = Status::numeric;
       result_.warnings.emplace_back("the topology of the curve in the parameters is not proven");
     }
-    if (!round()) {
+    if (!frame_.round()) {
       result_.status = Status::numeric;
       result_.warnings.emplace_back("coordinates are beyond the range in which hardware doubles are safe");
       return;
     }
+    for (const SectionFactor& factor : graph_->factors())
+      functions_.push_back(bridge::function_net(factor.factor, patch_.region->sides));
+    scale_ = frame_.weight_has_one_sign() ? size_of(frame_.net()) : size_of_curve();
     add_points();
     for (const BranchChain& chain : graph_->chains()) add_chain(chain);
     summarise(result_);
-  }
-
-  bool round() {
-    if (weight_has_one_sign_) origin_ = net_.origin();
-    auto rounded = net_.rounded(origin_);
-    if (!rounded) return false;
-    nets_[0] = *std::move(rounded);
-    nets_[1] = nets_[0];
-    for (Eigen::Array4d& point : nets_[1].points) point = -point;
-    for (const SectionFactor& factor : graph_->factors())
-      functions_.push_back(bridge::function_net(factor.factor, patch_.region->sides));
-    section_net_ = bridge::function_net(section_polynomial(patch_.map, equation_), patch_.region->sides);
-    scale_ = weight_has_one_sign_ ? size_of(net_) : size_of_curve();
-    return true;
   }
 
   /// Half of the arcs have their middles within that distance.
@@ -139,8 +105,8 @@ class PatchSection {
     std::vector<double> sizes;
     for (const auto& edge : graph_->edges()) {
       if (!edge) continue;
-      const auto local = to_local(edge->sample);
-      const Eigen::Array4d point = jets_at(local, edge->weight_sign).point;
+      const auto local = frame_.to_local(edge->sample);
+      const Eigen::Array4d point = frame_.jets_at(local, edge->weight_sign).point;
       const double size = point.abs().head<3>().maxCoeff();
       if (std::isfinite(size)) sizes.push_back(size);
     }
@@ -150,57 +116,24 @@ class PatchSection {
     return median > 0 ? median : 1;
   }
 
-  const ControlNet& net_for(int weight_sign) const { return nets_[weight_sign < 0 && !weight_has_one_sign_ ? 1 : 0]; }
-
-  bridge::PatchJets::Value jets_at(const std::array<double, 2>& local, int weight_sign) const {
-    return bridge::PatchJets(net_for(weight_sign)).at(local[0], local[1]);
-  }
-
-  std::array<double, 2> to_local(const std::array<double, 2>& parameters) const {
-    std::array<double, 2> local;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double lower = nearest(net_.domain[k].lower);
-      local[k] = (parameters[k] - lower) / (nearest(net_.domain[k].upper) - lower);
-    }
-    return local;
-  }
-
-  /// With a bound of its error.
   bridge::SectionGoal place_of(std::size_t vertex) const {
-    const TopologyVertex& at = graph_->topology().vertices[vertex];
-    bridge::SectionGoal goal;
-    for (std::size_t k = 0; k < 2; ++k) {
-      constexpr long bits = 128;
-      bridge::RealBall local;
-      const symbolic::Interval& side = net_.domain[k];
-      arb_set_fmpq(local.get(), side.lower.get(), bits);
-      arb_sub(local.get(), (k == 0 ? at.x : at.y).ball.real(), local.get(), bits);
-      bridge::RealBall width(side.upper - side.lower, bits);
-      arb_div(local.get(), local.get(), width.get(), bits);
-      goal.at[k] = std::clamp(arf_get_d(arb_midref(local.get()), ARF_RND_NEAR), 0.0, 1.0);
-      if (const int s = graph_->vertices()[vertex].side[k]; s != 0) goal.at[k] = s < 0 ? 0 : 1;
-      goal.radius = std::max(goal.radius, mag_get_d(arb_radref(local.get())) + 0x1p-52);
-    }
-    return goal;
+    return frame_.place_of(graph_->topology().vertices[vertex], graph_->vertices()[vertex].side);
   }
 
-  SurfacePoint placed(const std::array<double, 2>& local, const std::array<double, 3>& point) const {
-    SurfacePoint result;
-    result.parameters = {to_domain(0, local[0]), to_domain(1, local[1]), unknown, unknown};
-    for (std::size_t k = 0; k < 3; ++k) result.point[k] = point[k] + nearest(origin_[k]);
-    return result;
+  bridge::PatchJets::Value jets_of(const bridge::SectionGoal& at) const {
+    // Quotients by the weight do not depend on its sign.
+    return frame_.jets_at(at.at, 1);
   }
 
   SurfacePoint placed(std::size_t vertex) const {
     const bridge::SectionGoal at = place_of(vertex);
-    // Coordinates are quotients, so that the sign of the weight is of no importance here.
-    const Eigen::Array4d point = jets_at(at.at, 1).point;
-    return placed(at.at, {point[0], point[1], point[2]});
+    const Eigen::Array4d point = jets_of(at).point;
+    return frame_.placed(at.at, {point[0], point[1], point[2]});
   }
 
   double error_at(std::size_t vertex) const {
     const bridge::SectionGoal at = place_of(vertex);
-    const bridge::PatchJets::Value value = jets_at(at.at, 1);
+    const bridge::PatchJets::Value value = jets_of(at);
     const double slope = std::max(value.first[0].abs().head<3>().maxCoeff(), value.first[1].abs().head<3>().maxCoeff());
     return 8 * slope * at.radius + 2 * value.error + 1e-14 * scale_;
   }
@@ -274,7 +207,7 @@ class PatchSection {
       component.tangential = component.tangential || graph_->factors()[edge.factor].multiplicity > 1;
       if (chain.reversed[i]) std::reverse(arc.points.begin(), arc.points.end());
       for (std::size_t k = component.points.empty() ? 0 : 1; k < arc.points.size(); ++k)
-        component.points.push_back(placed(arc.points[k].parameters, arc.points[k].point));
+        component.points.push_back(frame_.placed(arc.points[k].parameters, arc.points[k].point));
     }
     double largest = scale_;
     for (const SurfacePoint& point : component.points)
@@ -293,10 +226,8 @@ class PatchSection {
   bridge::SectionArc traced(std::size_t e, SurfaceComponent& component) {
     const TopologyEdge& edge = graph_->topology().edges[e];
     const SectionEdge& own = *graph_->edges()[e];
-    const bridge::SectionTracer tracer(net_for(own.weight_sign), functions_[own.factor]);
-    bridge::SectionSeed seed{to_local(own.sample), 0, {}};
-    for (const symbolic::Interval& side : net_.domain)
-      seed.radius = std::max(seed.radius, own.radius / nearest(side.upper - side.lower));
+    const bridge::SectionTracer tracer(frame_.net_for(own.weight_sign), functions_[own.factor]);
+    bridge::SectionSeed seed{frame_.to_local(own.sample), frame_.to_local_length(own.radius), {}};
     bridge::SectionArc whole;
     for (const bool forward : {false, true}) {
       seed.side[own.vertical ? 1 : 0] = forward ? 1 : -1;
@@ -317,9 +248,9 @@ class PatchSection {
   void doubt(SurfaceComponent& component, const bridge::SectionArc& arc) const {
     component.certified = false;
     const std::array<double, 2>& at = arc.points.back().parameters;
-    component.reason =
-        "the distance of the polyline from the curve is not proven near u = " + std::to_string(to_domain(0, at[0])) +
-        ", v = " + std::to_string(to_domain(1, at[1]));
+    component.reason = "the distance of the polyline from the curve is not proven near u = " +
+                       std::to_string(frame_.to_domain(0, at[0])) +
+                       ", v = " + std::to_string(frame_.to_domain(1, at[1]));
   }
 
   bridge::SectionGoal goal_at(std::size_t v, std::size_t factor) const {
@@ -340,9 +271,9 @@ class PatchSection {
     const SectionVertex& own = graph_->vertices()[v];
     BranchEnd end;
     end.side = {own.side[0], own.side[1], 0, 0};
-    bool border = false;
-    for (std::size_t k = 0; k < 2; ++k)
-      border = border || (own.side[k] != 0 && roles_[k][own.side[k] < 0 ? 0 : 1] == SideRole::border);
+    const auto is_border = [&](std::size_t k) {
+      return own.side[k] != 0 && roles_[k][own.side[k] < 0 ? 0 : 1] == SideRole::border;
+    };
     if (own.at_infinity) {
       end.kind = own.base_point ? BranchEndKind::unknown : BranchEndKind::infinity;
       if (own.base_point) {
@@ -350,13 +281,13 @@ class PatchSection {
         component.reason = "it ends where the surface is not defined";
       }
     } else if (own.group) {
-      end.kind = border ? BranchEndKind::border : BranchEndKind::singular;
+      end.kind = is_border(0) || is_border(1) ? BranchEndKind::border : BranchEndKind::singular;
       end.singular_point = group_points_[*own.group];
     } else if (vertex_points_[v]) {
       end.kind = BranchEndKind::singular;
       end.singular_point = vertex_points_[v];
     } else if (own.side[0] != 0 || own.side[1] != 0) {
-      end.transition = transition_at(v, own.side[0] != 0 ? 0 : 1);
+      end.transition = transition_at(v, is_border(0) ? 0 : 1);
     } else {
       end.kind = BranchEndKind::unknown;
       component.certified = false;
@@ -368,8 +299,9 @@ class PatchSection {
   /// The border followed by its parameter crosses F = 0 to greater values of F: out.
   Transition transition_at(std::size_t v, std::size_t axis) const {
     const bridge::SectionGoal at = place_of(v);
-    bridge::PatchJets section(section_net_);
-    double slope = section.at(at.at[0], at.at[1]).first[1 - axis][0];
+    const bridge::ControlNet section =
+        bridge::function_net(section_polynomial(patch_.map, equation_), patch_.region->sides);
+    double slope = bridge::PatchJets(section).at(at.at[0], at.at[1]).first[1 - axis][0];
     // The section is F, made primitive, times a power of the weight.
     if (equation_.terms().front().coefficient.sign() < 0) slope = -slope;
     const auto weight = bridge::function_net(patch_.map.coordinates()[3], patch_.region->sides);
@@ -385,16 +317,11 @@ class PatchSection {
   const SideRoles& roles_;
   const Options& options_;
   const Context& context_;
-  PreparedNet net_;
+  SectionFrame frame_;
   std::vector<SectionFactor> factors_;
-  bool weight_has_one_sign_ = true;
   std::optional<SectionGraph> graph_;
-  std::array<Rational, 3> origin_;
-  /// With the weight as it is, and with the other sign.
-  std::array<ControlNet, 2> nets_;
   /// Of each factor.
-  std::vector<ControlNet> functions_;
-  ControlNet section_net_;
+  std::vector<bridge::ControlNet> functions_;
   double scale_ = 1;
   /// Indices of singular points.
   std::vector<std::optional<std::size_t>> group_points_;
