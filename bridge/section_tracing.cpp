@@ -186,11 +186,15 @@ class Tracing {
   bool cover(const Vector2d& low, const Vector2d& high) {
     if ((low.array() < -margin).any() || (high.array() > 1 + margin).any()) return false;
     const double width = (high - low).maxCoeff();
-    if (cell_ && cell_->contains(low, high) && (cell_->upper - cell_->lower).maxCoeff() < 64 * width) return true;
-    for (const double more : {6.0, 0.0}) {
+    // Differences of control points of a very small cell are all rounding.
+    constexpr double small = 0x1p-9;
+    if (cell_ && cell_->contains(low, high) &&
+        (cell_->upper - cell_->lower).maxCoeff() < std::max(64 * width, 3 * small))
+      return true;
+    for (const double more : {std::max(6 * width, small), 6 * width, 0.0}) {
       Cell cell;
-      cell.lower = (low.array() - more * width).max(-margin);
-      cell.upper = (high.array() + more * width).min(1 + margin);
+      cell.lower = (low.array() - more).max(-margin);
+      cell.upper = (high.array() + more).min(1 + margin);
       const auto f = f_.bounds_on(cell.lower[0], cell.upper[0], cell.lower[1], cell.upper[1]);
       const auto patch = patch_.bounds_on(cell.lower[0], cell.upper[0], cell.lower[1], cell.upper[1]);
       if (!f || !patch) continue;
@@ -312,7 +316,7 @@ class Tracing {
   std::optional<double> chord_error_in_box(const Vector2d& rest) {
     if (!goal_.monotone || !(rest.lpNorm<Eigen::Infinity>() < 0.02)) return std::nullopt;
     const Vector2d end(goal_.at[0], goal_.at[1]);
-    for (const double share : {0.25, 1.0, 4.0}) {
+    for (const double share : {0x1p-8, 0x1p-6, 0x1p-4, 0.25, 1.0, 4.0}) {
       const double more = share * rest.lpNorm<Eigen::Infinity>() + 2 * goal_.radius;
       const Vector2d slack(goal_.radius, more);
       const Vector2d low = here_.x.cwiseMin(end) - slack;
@@ -322,7 +326,8 @@ class Tracing {
       };
       if (!is_free(low[1]) || !is_free(high[1])) continue;
       if (!cover(low.cwiseMax(0), high.cwiseMin(1))) return std::nullopt;
-      return in_space_within(high - low, Vector2d::Zero());
+      // Compared above one u.
+      return in_space_within({4 * goal_.radius, high[1] - low[1]}, rest.cwiseAbs());
     }
     return std::nullopt;
   }
