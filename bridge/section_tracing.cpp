@@ -182,21 +182,28 @@ class Tracing {
     return bend.allFinite() ? bend : Vector2d(Vector2d::Zero());
   }
 
+  static std::optional<DerivativeBounds> bounds_within(const PatchJets& jets, const Vector2d& low,
+                                                       const Vector2d& high) {
+    const Vector2d lower = low.array().max(-margin);
+    const Vector2d upper = high.array().min(1 + margin);
+    return jets.bounds_on(lower[0], upper[0], lower[1], upper[1]);
+  }
+
   /// Derivative bounds on a box that holds this one, and not much more.
   bool cover(const Vector2d& low, const Vector2d& high) {
     if ((low.array() < -margin).any() || (high.array() > 1 + margin).any()) return false;
     const double width = (high - low).maxCoeff();
-    // Differences of control points of a very small cell are all rounding.
-    constexpr double small = 0x1p-9;
-    if (cell_ && cell_->contains(low, high) &&
-        (cell_->upper - cell_->lower).maxCoeff() < std::max(64 * width, 3 * small))
-      return true;
-    for (const double more : {std::max(6 * width, small), 6 * width, 0.0}) {
+    if (cell_ && cell_->contains(low, high) && (cell_->upper - cell_->lower).maxCoeff() < 64 * width) return true;
+    // On very small boxes the differences of control points are all rounding, and f may have a small gradient; near a
+    // zero of the weight derivatives of the patch grow fast.
+    constexpr double least_width = 0x1p-9;
+    const double wide = std::max(6 * width, least_width);
+    const auto f = bounds_within(f_, low.array() - wide, high.array() + wide);
+    for (const double more : {6 * width, 0.0}) {
       Cell cell;
       cell.lower = (low.array() - more).max(-margin);
       cell.upper = (high.array() + more).min(1 + margin);
-      const auto f = f_.bounds_on(cell.lower[0], cell.upper[0], cell.lower[1], cell.upper[1]);
-      const auto patch = patch_.bounds_on(cell.lower[0], cell.upper[0], cell.lower[1], cell.upper[1]);
+      const auto patch = bounds_within(patch_, cell.lower, cell.upper);
       if (!f || !patch) continue;
       cell.f = *f;
       cell.patch = *patch;

@@ -51,10 +51,11 @@ SectionGraph::SectionGraph(const symbolic::SurfacePiece& patch, std::vector<Sect
                            bool weight_has_one_sign, const SideRoles& roles, const Options& options,
                            const Context& context)
     : factors_(std::move(factors)),
+      polynomials_(patch.map.coordinates()),
       domain_(patch.region->sides),
       topology_(topology_of(patch, factors_, options, context)) {
   for (const SectionFactor& factor : factors_) balls_.emplace_back(factor.factor);
-  for (const Polynomial& p : patch.map.coordinates()) coordinates_.emplace_back(p);
+  for (const Polynomial& p : polynomials_) coordinates_.emplace_back(p);
   complete_ = topology_.status == Status::certified;
   describe_vertices(patch, weight_has_one_sign);
   describe_edges(roles);
@@ -74,6 +75,38 @@ bool SectionGraph::may_vanish(const BallCurve& curve, const PlaneBall& at) const
 bool SectionGraph::is_singular_for(std::size_t factor, std::size_t vertex) const {
   const bridge::BallJet jet = balls_[factor].jet(place_of(topology_.vertices[vertex]), precision_bits);
   return acb_contains_zero(jet.dx.get()) != 0 && acb_contains_zero(jet.dy.get()) != 0;
+}
+
+std::optional<unsigned long> SectionGraph::order_along(std::size_t factor, std::size_t coordinate, std::size_t vertex,
+                                                       const Options& options, const Context& context) const {
+  PlaneCurvesProblem problem;
+  problem.p = factors_[factor].factor;
+  problem.q = polynomials_[coordinate];
+  const Result result = intersect_plane_curves(problem, options, context);
+  if (result.status != Status::certified) return std::nullopt;
+  const PlaneBall at = place_of(topology_.vertices[vertex]);
+  std::optional<unsigned long> order;
+  for (const Solution& solution : result.solutions) {
+    if (acb_overlaps(solution.x.ball.get(), at.x.get()) == 0 || acb_overlaps(solution.y.ball.get(), at.y.get()) == 0)
+      continue;
+    if (order) return std::nullopt;
+    order = solution.multiplicity;
+  }
+  return order;
+}
+
+bool SectionGraph::goes_to_infinity(std::size_t factor, std::size_t base_point, const Options& options,
+                                    const Context& context) const {
+  if (is_singular_for(factor, base_point)) return false;
+  Options own = options;
+  own.engine = Engine::automatic;
+  own.digits = 17;
+  own.field = Field::real;
+  const auto weight = order_along(factor, 3, base_point, own, context);
+  if (!weight) return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const auto order = order_along(factor, k, base_point, own, context); order && *order < *weight) return true;
+  return false;
 }
 
 void SectionGraph::describe_vertices(const symbolic::SurfacePiece& patch, bool weight_has_one_sign) {

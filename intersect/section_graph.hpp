@@ -67,6 +67,10 @@ class SectionGraph {
   bool complete() const { return complete_; }
   /// Whether both partial derivatives of a factor may vanish at a vertex.
   bool is_singular_for(std::size_t factor, std::size_t vertex) const;
+  /// Whether points of the surface go to infinity along a factor that is smooth at a base point: the weight vanishes
+  /// to a higher order along it than another coordinate. False also where that is not proven.
+  bool goes_to_infinity(std::size_t factor, std::size_t base_point, const Options& options,
+                        const Context& context) const;
 
  private:
   bridge::PlaneBall place_of(const TopologyVertex& vertex) const;
@@ -75,11 +79,15 @@ class SectionGraph {
   std::optional<SectionEdge> identified_at(const std::array<double, 2>& point, bool vertical) const;
   void describe_edges(const SideRoles& roles);
   void describe_vertices(const symbolic::SurfacePiece& patch, bool weight_has_one_sign);
+  /// Order of vanishing of a coordinate along a factor at a vertex: an intersection multiplicity.
+  std::optional<unsigned long> order_along(std::size_t factor, std::size_t coordinate, std::size_t vertex,
+                                           const Options& options, const Context& context) const;
   void gather_groups(const std::vector<std::size_t>& point_edges);
   bool is_on_other_seam(const TopologyEdge& edge, const SideRoles& roles) const;
 
   std::vector<SectionFactor> factors_;
   std::vector<bridge::BallCurve> balls_;
+  std::vector<symbolic::Polynomial> polynomials_;
   std::vector<bridge::BallCurve> coordinates_;
   std::array<symbolic::Interval, 2> domain_;
   TopologyResult topology_;

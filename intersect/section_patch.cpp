@@ -167,9 +167,6 @@ class PatchSection {
     const TopologyVertex& vertex = graph_->topology().vertices[v];
     if (!own.on_curve || own.group) return;
     if (own.at_infinity) {
-      if (own.base_point)
-        result_.warnings.emplace_back(
-            "the curve in the parameters passes through a point at which the surface is not defined");
       return;
     }
     const bool isolated = vertex.half_branches() == 0;
@@ -216,8 +213,8 @@ class PatchSection {
     if (chain.closed) {
       component.points.back() = component.points.front();
     } else {
-      component.start = end_at(chain.start, component);
-      component.end = end_at(chain.end, component);
+      component.start = end_at(chain.start, chain.arcs.front(), component);
+      component.end = end_at(chain.end, chain.arcs.back(), component);
     }
     result_.components.push_back(std::move(component));
   }
@@ -267,7 +264,7 @@ class PatchSection {
     return goal;
   }
 
-  BranchEnd end_at(std::size_t v, SurfaceComponent& component) const {
+  BranchEnd end_at(std::size_t v, std::size_t edge, SurfaceComponent& component) {
     const SectionVertex& own = graph_->vertices()[v];
     BranchEnd end;
     end.side = {own.side[0], own.side[1], 0, 0};
@@ -275,10 +272,12 @@ class PatchSection {
       return own.side[k] != 0 && roles_[k][own.side[k] < 0 ? 0 : 1] == SideRole::border;
     };
     if (own.at_infinity) {
-      end.kind = own.base_point ? BranchEndKind::unknown : BranchEndKind::infinity;
-      if (own.base_point) {
+      const std::size_t factor = graph_->edges()[edge]->factor;
+      const bool known = !own.base_point || graph_->goes_to_infinity(factor, v, options_, context_);
+      end.kind = known ? BranchEndKind::infinity : BranchEndKind::unknown;
+      if (!known) {
         component.certified = false;
-        component.reason = "it ends where the surface is not defined";
+        component.reason = "it ends at a base point, where the surface is not defined";
       }
     } else if (own.group) {
       end.kind = is_border(0) || is_border(1) ? BranchEndKind::border : BranchEndKind::singular;

@@ -368,6 +368,30 @@ TEST_CASE("surface and equation: the graph of a function has the singularity of 
   }
 }
 
+TEST_CASE("surface and equation: the error is a bound next to a cusp, too") {
+  for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    for (const unsigned power : {3U, 5U}) {
+      const SurfaceResult result =
+          solve(patch(plane, {-1, 1}, {-2, 2}), "y^2 - x^" + std::to_string(power) + " + z", tolerance);
+      REQUIRE(result.components.size() == 2);
+      for (const SurfaceComponent& half : result.components) {
+        if (!half.certified) continue;
+        double largest = 0;
+        for (std::size_t i = 1; i < half.points.size(); ++i)
+          for (const double share : {0.0, 0.3, 0.5, 0.9}) {
+            const Point& p = half.points[i - 1].point;
+            const Point& q = half.points[i].point;
+            const double x = std::max(0.0, (1 - share) * p[0] + share * q[0]);
+            const double y = (1 - share) * p[1] + share * q[1];
+            largest = std::max(largest, std::fabs(std::fabs(y) - std::pow(x, 0.5 * power)));
+          }
+        // Measured along y, which is at most sqrt(1 + slope^2) times as far.
+        CHECK(largest <= std::sqrt(1 + 0.25 * power * power) * half.error);
+      }
+    }
+  }
+}
+
 TEST_CASE("surface and equation: factors at infinity are left out with a warning") {
   // (1/u, v/u, v) on x z - y - z = 0 is - u^2 v = 0: the line v = 0, twice to infinity.
   const SurfaceResult result = solve(patch({"1", "v", "u*v", "u"}, {-1, 2}, {-1, 1}), "x*z - y - z");
@@ -384,6 +408,25 @@ TEST_CASE("surface and equation: factors at infinity are left out with a warning
       CHECK(point.point[1] == 0);
       CHECK(point.point[2] == 0);
     }
+  }
+}
+
+TEST_CASE("surface and equation: base points are infinity where the weight vanishes most") {
+  // A whole plane over two projective lines: (u, v) = (inf, inf) is a base point, to which the parabola goes.
+  const SurfaceResult parabola = solve(whole(plane), "y - x^2");
+  CHECK(parabola.status == Status::certified);
+  REQUIRE(parabola.counts.curves == 1);
+  CHECK(parabola.components.front().start.kind == BranchEndKind::infinity);
+  CHECK(parabola.components.front().end.kind == BranchEndKind::infinity);
+  for (const auto& point : parabola.components.front().points)
+    CHECK(std::fabs(point.point[1] - point.point[0] * point.point[0]) < 1e-4 * std::max(1.0, point.point[1]));
+  // u = 2 v through the base point (0, 0) of (u : v : u + v : u + v^2) stays finite there.
+  const SurfaceResult finite = solve(patch({"u", "v", "u + v", "u + v^2"}, {-1, 1}, {-1, 1}), "x - 2*y");
+  CHECK(finite.status == Status::numeric);
+  for (const SurfaceComponent& curve : finite.components) {
+    const bool ends_there = curve.start.kind == BranchEndKind::unknown || curve.end.kind == BranchEndKind::unknown;
+    CHECK(curve.certified != ends_there);
+    CHECK(curve.reason.empty() != ends_there);
   }
 }
 
