@@ -163,7 +163,7 @@ SurfaceResult intersect_surface_with_equation(const ParametricSurface& surface, 
     return result;
   }
   try {
-    for (const ProjectiveChart& chart : projective_charts(surface, 0)) {
+    for (const ProjectiveChart& chart : projective_charts(surface, 2)) {
       SurfaceResult part =
           intersect_patch_with_equation(chart.piece, equation, roles_of(chart, surface), options, context);
       to_surface_parameters(part, chart, chart);
