@@ -222,7 +222,8 @@ class Subdivision {
     if (graph_.open.size() >= limits_.most_open) graph_.complete = false;
   }
 
-  /// Cuts where the gap between the points on the sides is largest.
+  /// Cuts between the points on the sides, where the gap is large and nothing crosses the cut: then it separates arcs.
+  /// A cut across all of them would leave as many on both sides of it, for ever.
   bool cut_between_points() {
     const Cell& cell = stack_.back();
     struct Gap {
@@ -246,14 +247,14 @@ class Subdivision {
     std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.size > b.size; });
     for (const Gap& gap : gaps) {
       constexpr double least_gap = 0.05;
-      if (gap.size > least_gap && cut(gap.axis, std::clamp(gap.at, 0.125, 0.875))) return true;
+      if (gap.size > least_gap && cut(gap.axis, std::clamp(gap.at, 0.125, 0.875), true)) return true;
     }
     return false;
   }
 
   /// Cuts the topmost cell at a local parameter into two. False when the cut passes too near to known points, or not
-  /// all points on it can be found.
-  bool cut(std::size_t axis, double at) {
+  /// all points on it can be found, or there are some and it is to be `uncrossed`.
+  bool cut(std::size_t axis, double at, bool uncrossed = false) {
     Cell& cell = stack_.back();
     const double place = cell.lower[axis] + at * cell.width[axis];
     std::vector<std::size_t> below;
@@ -264,7 +265,7 @@ class Subdivision {
       (distance < 0 ? below : above).push_back(i);
     }
     const auto found = points_on_cut(cell, axis, at);
-    if (!found) return false;
+    if (!found || (uncrossed && !found->empty())) return false;
     for (const CrossingPoint& point : *found) {
       below.push_back(graph_.points.size());
       above.push_back(graph_.points.size());

@@ -77,31 +77,41 @@ Enclosed sum(const Enclosed& a, const DoubleInterval& factor, const Enclosed& b)
 
 double magnitude(const Enclosed& a) { return std::max({a[0].magnitude(), a[1].magnitude(), a[2].magnitude()}); }
 
-/// The divided difference (Phi(x + k (e + m f)) - Phi(x)) / k for all pairs of a rectangle: its derivative by x along e
-/// and f and by m, against that at the pinch point with k = 0.
-class DividedDifference {
- public:
-  DividedDifference(const ControlNet& net, const Singularity& at, const ParameterRectangle& rectangle)
-      : e_{std::cos(at.angle), std::sin(at.angle)}, f_{-e_[1], e_[0]}, middle_(PatchJets(net).at(at.u, at.v)) {
-    ContactFrame frame;
-    frame.origin = middle_.point;
-    frame.origin[3] = 0;
-    for (long k = 0; k < 3; ++k) {
-      Array4d column = Array4d::Zero();
-      column[k] = 1;
-      frame.columns[static_cast<std::size_t>(k)] = column;
-    }
+/// Derivatives along e and f for all points of a rectangle.
+struct DirectionalDerivatives {
+  Enclosed along_e;
+  Enclosed along_f;
+  Enclosed ee;
+  Enclosed ef;
+  Enclosed ff;
+
+  DirectionalDerivatives(const ControlNet& net, const ContactFrame& frame, const ParameterRectangle& rectangle,
+                         const std::array<double, 2>& e, const std::array<double, 2>& f) {
     const EnclosedPatch patch(taylor_on_box(
         net, frame, {{rectangle.lower[0], rectangle.lower[1], 0}, {rectangle.upper[0], rectangle.upper[1], 0}}, 0, 2));
-    along_e_ = combination(patch.first[0], e_[0], patch.first[1], e_[1]);
-    along_f_ = combination(patch.first[0], f_[0], patch.first[1], f_[1]);
+    along_e = combination(patch.first[0], e[0], patch.first[1], e[1]);
+    along_f = combination(patch.first[0], f[0], patch.first[1], f[1]);
     const auto second = [&](const std::array<double, 2>& a, const std::array<double, 2>& b) {
       return sum(combination(patch.second[0], a[0] * b[0], patch.second[1], a[0] * b[1] + a[1] * b[0]),
                  DoubleInterval(a[1] * b[1]), patch.second[2]);
     };
-    ee_ = second(e_, e_);
-    ef_ = second(e_, f_);
-    ff_ = second(f_, f_);
+    ee = second(e, e);
+    ef = second(e, f);
+    ff = second(f, f);
+  }
+};
+
+/// The divided difference (Phi(x + k (e + m f)) - Phi(x)) / k for all pairs of a rectangle: its derivative by x along e
+/// and f and by m, against that at the pinch point with k = 0. All in coordinates in which the latter is the identity,
+/// so that the position of the surface in space does not matter.
+class DividedDifference {
+ public:
+  DividedDifference(const ControlNet& net, const Singularity& at, const ParameterRectangle& rectangle)
+      : net_(net),
+        rectangle_(rectangle),
+        e_{std::cos(at.angle), std::sin(at.angle)},
+        f_{-e_[1], e_[0]},
+        middle_(PatchJets(net).at(at.u, at.v)) {
     length_ = 1.001 * ((rectangle.upper[0] - rectangle.lower[0]) * std::fabs(e_[0]) +
                        (rectangle.upper[1] - rectangle.lower[1]) * std::fabs(e_[1]));
   }
@@ -109,20 +119,6 @@ class DividedDifference {
   /// Finds the directions in which there may be double points, and how far the derivative is from that at the pinch
   /// point. False when these are all directions or the latter is singular.
   bool bound() {
-    const Vector3d normal = vector_of(middle_.first[0] * f_[0] + middle_.first[1] * f_[1]).normalized();
-    DoubleInterval rise(0);
-    DoubleInterval drift(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      rise = rise + along_f_[k] * DoubleInterval(normal[static_cast<long>(k)]);
-      drift = drift + along_e_[k] * DoubleInterval(normal[static_cast<long>(k)]);
-    }
-    if (!(rise.lower > 0)) return false;
-    // Pairs that differ by more than that along f for 1 along e have different points.
-    const double slope = 1.001 * drift.magnitude() / rise.lower + 1e-9;
-    const DoubleInterval m(-slope, slope);
-    const std::array<Enclosed, 3> columns{
-        sum(ee_, m, ef_), sum(ef_, m, ff_),
-        sum(along_f_, DoubleInterval(-0.5 * length_, 0.5 * length_), sum(ef_, m, ff_))};
     Matrix3d matrix;
     matrix.col(0) = vector_of(along(middle_.second, e_[0], e_[1]));
     matrix.col(1) =
@@ -131,14 +127,22 @@ class DividedDifference {
     matrix.col(2) = vector_of(middle_.first[0] * f_[0] + middle_.first[1] * f_[1]);
     inverse_ = matrix.inverse();
     if (!inverse_.allFinite()) return false;
+    const DirectionalDerivatives d(net_, frame_of(inverse_), rectangle_, e_, f_);
+    constexpr std::size_t last = 2;
+    if (!(d.along_f[last].lower > 0)) return false;
+    // Pairs that differ by more than that along f for 1 along e have different points.
+    const double slope = 1.001 * d.along_e[last].magnitude() / d.along_f[last].lower + 1e-9;
+    const DoubleInterval m(-slope, slope);
+    const std::array<Enclosed, 3> columns{
+        sum(d.ee, m, d.ef), sum(d.ef, m, d.ff),
+        sum(d.along_f, DoubleInterval(-0.5 * length_, 0.5 * length_), sum(d.ef, m, d.ff))};
     contraction_ = 0;
-    for (long i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       double row = 0;
-      for (std::size_t j = 0; j < 3; ++j)
-        row += (row_times(i, columns[j]) - DoubleInterval(i == static_cast<long>(j) ? 1 : 0)).magnitude();
+      for (std::size_t j = 0; j < 3; ++j) row += (columns[j][i] - DoubleInterval(i == j ? 1 : 0)).magnitude();
       contraction_ = std::max(contraction_, row);
     }
-    bend_ = sum(sum(ee_, DoubleInterval(2) * m, ef_), m * m, ff_);
+    bend_ = sum(sum(d.ee, DoubleInterval(2) * m, d.ef), m * m, d.ff);
     constexpr double at_most = 0.95;
     return contraction_ < at_most;
   }
@@ -153,37 +157,35 @@ class DividedDifference {
   /// Bounds the distance in space from the pinch point of the double points with |k| <= `length`.
   double reach(double length, double zero_error) const {
     // The derivative of x and m by k: -1/2 along e, and what the matrix turns.
-    const double whole =
-        std::max({row_times(0, bend_).magnitude(), row_times(1, bend_).magnitude(), row_times(2, bend_).magnitude()}) *
-        0.5;
+    const double whole = 0.5 * magnitude(bend_);
     const double turning = contraction_ / (1 - contraction_) * whole;
-    const double by_e = length * (0.5 * row_times(0, bend_).magnitude() + turning) + zero_error;
-    const double by_f = length * (0.5 * row_times(1, bend_).magnitude() + turning) + zero_error;
+    const double by_e = length * (0.5 * bend_[0].magnitude() + turning) + zero_error;
+    const double by_f = length * (0.5 * bend_[1].magnitude() + turning) + zero_error;
     const Vector3d left = vector_of(middle_.first[0] * e_[0] + middle_.first[1] * e_[1]);
+    const DirectionalDerivatives d(net_, frame_of(Matrix3d::Identity()), rectangle_, e_, f_);
     double result = 0;
     for (std::size_t k = 0; k < 3; ++k)
-      result = std::max(result, (std::fabs(left[static_cast<long>(k)]) + 1e-14 * magnitude(along_f_)) * by_e +
-                                    along_f_[k].magnitude() * by_f + 0.5 * ee_[k].magnitude() * by_e * by_e +
-                                    ef_[k].magnitude() * by_e * by_f + 0.5 * ff_[k].magnitude() * by_f * by_f);
+      result = std::max(result, (std::fabs(left[static_cast<long>(k)]) + 1e-14 * magnitude(d.along_f)) * by_e +
+                                    d.along_f[k].magnitude() * by_f + 0.5 * d.ee[k].magnitude() * by_e * by_e +
+                                    d.ef[k].magnitude() * by_e * by_f + 0.5 * d.ff[k].magnitude() * by_f * by_f);
     return 1.75 * result;
   }
 
  private:
-  DoubleInterval row_times(long row, const Enclosed& column) const {
-    DoubleInterval result(0);
-    for (std::size_t k = 0; k < 3; ++k)
-      result = result + DoubleInterval(inverse_(row, static_cast<long>(k))) * column[k];
-    return result;
+  ContactFrame frame_of(const Matrix3d& matrix) const {
+    ContactFrame frame;
+    frame.origin = middle_.point;
+    frame.origin[3] = 0;
+    for (long k = 0; k < 3; ++k)
+      frame.columns[static_cast<std::size_t>(k)] = Array4d(matrix(0, k), matrix(1, k), matrix(2, k), 0);
+    return frame;
   }
 
+  const ControlNet& net_;
+  ParameterRectangle rectangle_;
   std::array<double, 2> e_;
   std::array<double, 2> f_;
   PatchJets::Value middle_;
-  Enclosed along_e_;
-  Enclosed along_f_;
-  Enclosed ee_;
-  Enclosed ef_;
-  Enclosed ff_;
   Enclosed bend_;
   /// Largest |k| of a pair in the rectangle.
   double length_ = 0;

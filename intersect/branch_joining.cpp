@@ -43,18 +43,33 @@ void reverse(SurfaceComponent& component) {
   std::swap(component.start, component.end);
 }
 
-/// Forgets the sides that are no borders of the whole domain; true when some were, and none is left.
-bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds) {
+/// The parameters that keep their value along the whole curve: it lies on a border or a seam there.
+std::array<bool, 4> kept_parameters(const SurfaceComponent& component) {
+  std::array<bool, 4> kept{};
+  constexpr double rounding = 1e-12;
+  for (std::size_t k = 0; k < 4; ++k)
+    kept[k] = component.start.side[k] != 0 && component.start.side[k] == component.end.side[k] &&
+              std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
+                const double value = component.points.front().parameters[k];
+                return std::fabs(point.parameters[k] - value) <= rounding * std::max(1.0, std::fabs(value));
+              });
+  return kept;
+}
+
+/// Forgets the sides that are no borders of the whole domain; true when some were, and none is left. Sides of the
+/// parameters that are kept do not count: the curve does not end there.
+bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds,
+                  const std::array<bool, 4>& kept = {}) {
   bool any = false;
   bool left = false;
   for (std::size_t k = 0; k < 4; ++k) {
     if (end.side[k] == 0) continue;
-    any = true;
+    any = any || !kept[k];
     constexpr double rounding = 1e-13;
     const bool border = bounds[k] && std::fabs(at[k] - (*bounds[k])[end.side[k] < 0 ? 0 : 1]) <=
                                          rounding * std::max(1.0, std::fabs(at[k]));
     if (!border) end.side[k] = 0;
-    left = left || border;
+    left = left || (border && !kept[k]);
   }
   return any && !left;
 }
@@ -66,16 +81,20 @@ class Joining {
 
   void run() {
     take_out_corner_points();
+    take_out_repeated_seams();
     for (SurfaceComponent& component : result_.components)
       if (component.kind == SurfaceComponentKind::curve)
         pieces_.push_back(std::move(component));
       else
         rest_.push_back(std::move(component));
     for (SurfaceComponent& piece : pieces_) {
-      open_.push_back({piece.start.kind == BranchEndKind::border &&
-                           is_only_seam(piece.start, piece.points.front().parameters, bounds_),
-                       piece.end.kind == BranchEndKind::border &&
-                           is_only_seam(piece.end, piece.points.back().parameters, bounds_)});
+      const std::array<bool, 4> kept = kept_parameters(piece);
+      const Parameters& first = piece.points.front().parameters;
+      const Parameters& last = piece.points.back().parameters;
+      open_.push_back({piece.start.kind == BranchEndKind::border && is_only_seam(piece.start, first, bounds_, kept),
+                       piece.end.kind == BranchEndKind::border && is_only_seam(piece.end, last, bounds_, kept)});
+      if (open_.back()[0]) open_ends_.push_back(first);
+      if (open_.back()[1]) open_ends_.push_back(last);
     }
     used_.assign(pieces_.size(), false);
     // Curves with an end first, what then is left are loops.
@@ -96,6 +115,30 @@ class Joining {
     });
   }
 
+  /// A curve along a seam is found on both sides of it: one is enough.
+  void take_out_repeated_seams() {
+    const auto repeats = [](const SurfaceComponent& a, const SurfaceComponent& b) {
+      if (a.kind != SurfaceComponentKind::curve || b.kind != SurfaceComponentKind::curve) return false;
+      const Parameters& first = b.points.front().parameters;
+      const Parameters& last = b.points.back().parameters;
+      const auto is_same = [&](const Parameters& from, const Parameters& to) {
+        return distance(a.points.front().parameters, from) < same_within &&
+               distance(a.points.back().parameters, to) < same_within;
+      };
+      if (!is_same(first, last) && !is_same(last, first)) return false;
+      // Along one line of the parameters there is one curve from end to end.
+      const std::array<bool, 4> of_a = kept_parameters(a);
+      const std::array<bool, 4> of_b = kept_parameters(b);
+      for (std::size_t k = 0; k < 4; ++k)
+        if (of_a[k] && of_b[k]) return true;
+      return false;
+    };
+    std::vector<SurfaceComponent>& all = result_.components;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = all.size(); j-- > i + 1;)
+        if (repeats(all[i], all[j])) all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
+  }
+
   void turn(std::size_t i) {
     reverse(pieces_[i]);
     std::swap(open_[i][0], open_[i][1]);
@@ -112,7 +155,7 @@ class Joining {
       const Parameters at = curve.points.back().parameters;
       const auto next = continuation(at);
       if (!next) {
-        if (may_close && distance(at, begin) < same_within) {
+        if (may_close && distance(at, begin) < same_within && open_ends_near(at) == 2) {
           curve.kind = SurfaceComponentKind::loop;
           curve.points.back() = curve.points.front();
         } else {
@@ -140,8 +183,16 @@ class Joining {
     curve.certified = false;
   }
 
+  /// Also those that are joined already, and the one asked for.
+  std::ptrdiff_t open_ends_near(const Parameters& at) const {
+    return std::count_if(open_ends_.begin(), open_ends_.end(), [&](const Parameters& end) {
+      return distance(at, end) < apart_by || (symmetric_ && distance(at, exchanged(end)) < apart_by);
+    });
+  }
+
   /// The one piece not used yet that begins there, turned if necessary.
   std::optional<std::size_t> continuation(const Parameters& at) {
+    if (open_ends_near(at) != 2) return std::nullopt;
     struct Candidate {
       std::size_t piece = 0;
       bool turned = false;
@@ -180,6 +231,8 @@ class Joining {
   std::vector<SurfaceComponent> rest_;
   /// Whether start and end are to be continued.
   std::vector<std::array<bool, 2>> open_;
+  /// Where, of all pieces.
+  std::vector<Parameters> open_ends_;
   std::vector<bool> used_;
 };
 

@@ -173,6 +173,8 @@ class PatchPair {
     component.error = curvature / 8 / static_cast<double>(steps * steps) + 1e-14 * (size_of(first_) + size_of(second_));
     component.certified = true;
     std::array<double, 2> start{0.5, 0.5};
+    std::array<double, 4> first_at{};
+    std::array<double, 4> last_at{};
     bool known = false;
     for (std::size_t i = 0; i <= steps; ++i) {
       const double place =
@@ -187,9 +189,20 @@ class PatchPair {
       start = parameters_of(other, value.point, start);
       at[2 - base] = start[0];
       at[3 - base] = start[1];
+      if (i == 0) first_at = at;
+      last_at = at;
       component.points.push_back(placed(at, {value.point[0], value.point[1], value.point[2]}));
     }
-    component.start.side[kept] = component.end.side[kept] = border.side;
+    const auto sides_of = [&](const std::array<double, 4>& at) {
+      // It ends where one of both patches does.
+      constexpr double accuracy = 1e-9;
+      std::array<int, 4> side{};
+      for (std::size_t k = 0; k < 4; ++k) side[k] = at[k] < accuracy ? -1 : at[k] > 1 - accuracy ? 1 : 0;
+      side[kept] = border.side;
+      return side;
+    };
+    component.start.side = sides_of(first_at);
+    component.end.side = sides_of(last_at);
     return component;
   }
 

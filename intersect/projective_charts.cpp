@@ -35,8 +35,7 @@ struct Side {
 std::vector<Side> sides_of(std::size_t parameter) {
   using symbolic::Rational;
   constexpr std::size_t pair_parameters = 4;
-  if (parameter >= pair_parameters)
-    return {{{Rational(-1), Rational(1)}, false}, {{Rational(-1), Rational(1)}, true}};
+  if (parameter >= pair_parameters) return {{{Rational(-1), Rational(1)}, false}, {{Rational(-1), Rational(1)}, true}};
   // In 64ths: lower and upper end, and a place between, for the parameter and for its inverse.
   constexpr std::array<std::array<long, 4>, 4> places{
       {{-55, 71, 5, -7}, {-67, 59, -9, 4}, {-61, 73, 7, 3}, {-69, 57, -4, -6}}};

@@ -18,9 +18,9 @@ struct ProjectiveChart {
   std::array<bool, 2> inverted{};
 };
 
-/// Patches that make up the surface: its pieces; without domains parts of the projective parameter lines, half of them by
-/// the inverse parameter. `which` is 0 for the first of two surfaces and 1 for the second, whose lines are cut into four at
-/// different places, and 2 for a surface of its own, cut at -1 and 1.
+/// Patches that make up the surface: its pieces; without domains parts of the projective parameter lines, half of them
+/// by the inverse parameter. `which` is 0 for the first of two surfaces and 1 for the second, whose lines are cut into
+/// four at different places, and 2 for a surface of its own, cut at -1 and 1.
 std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface, std::size_t which);
 
 /// From the parameters of the charts to those of the surfaces.

@@ -119,10 +119,9 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
   for (const ParametricSurface* surface : {first, second})
     if (surface != nullptr) require_tensor_product(*surface);
   const Options tracing = tracing_options(options);
-  SurfaceResult result = first == nullptr || second == nullptr ? intersect_with_equation(problem, tracing, context)
-                         : is_whole(*first) && is_whole(*second)
-                             ? intersect_whole(*first, *second, tracing, context)
-                             : intersect_charts(*first, *second, tracing, context);
+  SurfaceResult result = first == nullptr || second == nullptr   ? intersect_with_equation(problem, tracing, context)
+                         : is_whole(*first) && is_whole(*second) ? intersect_whole(*first, *second, tracing, context)
+                                                                 : intersect_charts(*first, *second, tracing, context);
   result.problem = "surface_surface";
   fit_splines(result, options);
   return result;

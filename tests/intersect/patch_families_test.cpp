@@ -124,7 +124,8 @@ void check_on_patches(const SurfaceResult& result, const ControlNet& first, cons
   bool inside = true;
   for (const SurfaceComponent& component : result.components) {
     // Next to a singular point doubles tell both patches apart less well, and `error` says so.
-    const bool singular = component.start.kind == BranchEndKind::singular || component.end.kind == BranchEndKind::singular;
+    const bool singular =
+        component.start.kind == BranchEndKind::singular || component.end.kind == BranchEndKind::singular;
     CHECK(component.error <= (singular ? 1e-5 : 1.000001e-9) * 2 * size);
     for (std::size_t k = 0; k < component.points.size(); ++k) {
       const SurfacePoint& here = component.points[k];
