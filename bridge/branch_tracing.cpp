@@ -36,23 +36,29 @@ class ArcTracing {
       const auto i = static_cast<std::size_t>(k);
       constexpr double margin = 0.125;
       const double width = box.upper[i] - box.lower[i];
-      lower_[k] = box.lower[i] - margin * width;
-      upper_[k] = box.upper[i] + margin * width;
+      cell_lower_[k] = box.lower[i] - margin * width;
+      cell_upper_[k] = box.upper[i] + margin * width;
     }
   }
 
   /// To a regular point of the arc.
   TracedArc run(const Vector4d& from, const Vector4d& to, const Context& context) {
-    return run(from, newton(to).x, 0, context);
+    const Vector4d goal = newton(to).x;
+    TracedArc arc = run(from, goal, 0, context);
+    if (arc.proven) return arc;
+    // It may begin away from its end.
+    turned_ = true;
+    TracedArc other = run(from, goal, 0, context);
+    return other.proven ? other : arc;
   }
 
   /// To a point, or only to within `near` of it when that is positive.
   TracedArc run(const Vector4d& from, const Vector4d& goal, double near, const Context& context) {
     TracedArc arc;
-    if (!bound_derivatives()) return arc;
+    if (!bound_derivatives(cell_lower_, cell_upper_)) return arc;
     Difference here = newton(from);
     add(arc, here);
-    Vector4d tangent = tangent_at(here, goal - here.x);
+    Vector4d tangent = tangent_at(here, turned_ ? here.x - goal : goal - here.x);
     Vector4d curvature = curvature_at(here, tangent);
     double step = std::min(0.25 * (goal - here.x).norm(), 1e-2);
     constexpr std::size_t most_points = 2000000;
@@ -70,6 +76,7 @@ class ArcTracing {
       const bool last = near == 0 && rest.norm() <= 1.5 * step && left > 0;
       const Difference next = last ? newton(goal) : newton(here.x + step * tangent + 0.5 * step * step * curvature);
       const Vector4d d = next.x - here.x;
+      look_around(here, d);
       const double deviation = deviation_of(here, next, d);
       if (!(deviation < tolerance_)) {
         // The deviation is quadratic in the step.
@@ -93,13 +100,41 @@ class ArcTracing {
   }
 
  private:
-  bool bound_derivatives() {
-    const auto a = first_.bounds_on(lower_[0], upper_[0], lower_[1], upper_[1]);
-    const auto b = second_.bounds_on(lower_[2], upper_[2], lower_[3], upper_[3]);
+  bool bound_derivatives(const Vector4d& lower, const Vector4d& upper) {
+    const auto a = first_.bounds_on(lower[0], upper[0], lower[1], upper[1]);
+    const auto b = second_.bounds_on(lower[2], upper[2], lower[3], upper[3]);
     if (!a || !b) return false;
     a_ = *a;
     b_ = *b;
+    lower_ = lower;
+    upper_ = upper;
     return true;
+  }
+
+  /// Bounds for a step of d: those of the whole cell say little where derivatives differ much in it.
+  void look_around(const Difference& here, const Vector4d& d) {
+    const Vector4d unit = units_of(here);
+    const double length = d.cwiseAbs().cwiseQuotient(unit).maxCoeff();
+    constexpr double room = 2;
+    constexpr double much = 16;
+    const Vector4d near = room * (d.cwiseAbs() + length * unit);
+    const Vector4d least_lower = (here.x - near).cwiseMax(cell_lower_);
+    const Vector4d least_upper = (here.x + near).cwiseMin(cell_upper_);
+    const bool enough = (least_lower.array() >= lower_.array()).all() && (least_upper.array() <= upper_.array()).all();
+    const bool tight = ((upper_ - lower_).array() <= much * (least_upper - least_lower).array()).all();
+    if (enough && tight) return;
+    const Vector4d far = 0.25 * much * near;
+    bound_derivatives((here.x - far).cwiseMax(cell_lower_), (here.x + far).cwiseMin(cell_upper_));
+  }
+
+  /// By how much each parameter moves where the point in space moves by about one.
+  static Vector4d units_of(const Difference& here) {
+    Vector4d unit;
+    for (long k = 0; k < 4; ++k) unit[k] = 1 / here.jacobian.col(k).head<3>().norm();
+    // A parameter that moves nothing.
+    const double least = unit.minCoeff();
+    constexpr double at_most = 1e6;
+    return unit.cwiseMin(at_most * least);
   }
 
   Difference difference_at(const Vector4d& x) {
@@ -164,24 +199,32 @@ class ArcTracing {
   /// A bound of the distance in space between the arc from `here` to `here` + d and its chord; infinity when it is not
   /// proven that there is exactly one arc near the chord.
   double deviation_of(const Difference& here, const Difference& next, const Vector4d& d) const {
-    const double length = d.lpNorm<Eigen::Infinity>();
-    if (!(length > 0)) return infinity;
-    Matrix4d system = here.jacobian;
+    // All parameters in their units.
+    const Vector4d unit = units_of(here);
+    const Vector4d step = d.cwiseQuotient(unit);
+    const double length = step.lpNorm<Eigen::Infinity>();
+    if (!(length > 0) || !(length < infinity)) return infinity;
+    Matrix4d system = here.jacobian * unit.asDiagonal();
     const double scale = system.topRows<3>().cwiseAbs().maxCoeff();
-    system.row(3) = d.transpose() * (scale / d.norm());
+    system.row(3) = step.transpose() * (scale / step.norm());
     const Matrix4d inverse = system.inverse();
     if (!inverse.allFinite()) return infinity;
     const Matrix4d magnitude = inverse.cwiseAbs();
+    // What derivatives by each parameter make of an error of the points.
+    const Vector4d steepness = steepness_of();
+    const double point_error = std::max({here.first.error, here.second.error, next.first.error, next.second.error});
+    const double slope_error = point_error * steepness.cwiseProduct(unit).sum();
     // Of products with the inverse, relative to the whole.
-    const double rounding = 64 * unit_roundoff * magnitude.rowwise().sum().maxCoeff() * 4 * scale + 1e-12;
+    const double rounding = magnitude.rowwise().sum().maxCoeff() * (256 * unit_roundoff * scale + slope_error) + 1e-12;
 
     // The second derivatives along the chord, and by how much they change on it.
     const Array4d bend_a = along(here.first.second, d[0], d[1]);
     const Array4d bend_b = along(here.second.second, d[2], d[3]);
     const Array4d change_a = third_along(a_, d[0], d[1]);
     const Array4d change_b = third_along(b_, d[2], d[3]);
+    const double bend_error = 2 * point_error * std::pow(steepness.dot(d.cwiseAbs()), 2);
     // Of the points that are taken for ends of the arc.
-    const double ends = std::max(end_error(here), end_error(next));
+    const double ends = std::max(end_error(here), end_error(next)) + bend_error;
     Vector4d bend = Vector4d::Zero();
     Vector4d rest = Vector4d::Zero();
     for (long i = 0; i < 3; ++i) {
@@ -194,16 +237,16 @@ class ArcTracing {
     const double radius = 2.5 * largest_offset;
     const double reach = length + radius;
     for (long k = 0; k < 4; ++k)
-      if (std::min(here.x[k], here.x[k] + d[k]) - radius < lower_[k] ||
-          std::max(here.x[k], here.x[k] + d[k]) + radius > upper_[k])
+      if (std::min(here.x[k], here.x[k] + d[k]) - radius * unit[k] < lower_[k] ||
+          std::max(here.x[k], here.x[k] + d[k]) + radius * unit[k] > upper_[k])
         return infinity;
     // How much the Jacobian matrix changes from `here` to where the solutions are.
     Matrix4d change = Matrix4d::Zero();
     for (long i = 0; i < 3; ++i) {
-      change(i, 0) = (a_.second[0][i] + a_.second[1][i]) * reach;
-      change(i, 1) = (a_.second[1][i] + a_.second[2][i]) * reach;
-      change(i, 2) = (b_.second[0][i] + b_.second[1][i]) * reach;
-      change(i, 3) = (b_.second[1][i] + b_.second[2][i]) * reach;
+      change(i, 0) = (a_.second[0][i] * unit[0] + a_.second[1][i] * unit[1]) * unit[0] * reach;
+      change(i, 1) = (a_.second[1][i] * unit[0] + a_.second[2][i] * unit[1]) * unit[1] * reach;
+      change(i, 2) = (b_.second[0][i] * unit[2] + b_.second[1][i] * unit[3]) * unit[2] * reach;
+      change(i, 3) = (b_.second[1][i] * unit[2] + b_.second[2][i] * unit[3]) * unit[3] * reach;
     }
     const double contraction = (magnitude * change).rowwise().sum().maxCoeff() + rounding;
     constexpr double at_most = 0.55;
@@ -211,9 +254,10 @@ class ArcTracing {
     const double distance = largest_offset / (1 - contraction);
 
     // In space: the bend of the arc, of which only the part across the chord counts, and what is left.
-    const Eigen::Vector3d chord = vector_of(here.first.first[0]) * d[0] + vector_of(here.first.first[1]) * d[1];
-    Eigen::Vector3d sag =
-        vector_of(here.first.first[0]) * offset[0] + vector_of(here.first.first[1]) * offset[1] - vector_of(bend_a);
+    const std::array<Eigen::Vector3d, 2> slope{vector_of(here.first.first[0]) * unit[0],
+                                               vector_of(here.first.first[1]) * unit[1]};
+    const Eigen::Vector3d chord = slope[0] * step[0] + slope[1] * step[1];
+    Eigen::Vector3d sag = slope[0] * offset[0] + slope[1] * offset[1] - vector_of(bend_a);
     const double chord_square = chord.squaredNorm();
     if (chord_square > 0) {
       // The foot on the chord must not move beyond its ends.
@@ -222,11 +266,24 @@ class ArcTracing {
     }
     double remainder = 0;
     for (long i = 0; i < 3; ++i) {
-      const double slopes = std::fabs(here.first.first[0][i]) + std::fabs(here.first.first[1][i]);
+      const double slopes = std::fabs(slope[0][i]) + std::fabs(slope[1][i]);
       remainder = std::max(remainder, slopes * (offset_error + contraction * distance) +
                                           (change(i, 0) + change(i, 1)) * distance + 0.125 * change_a[i] + ends);
     }
     return 0.125 * (sag.norm() + rounding * bend.norm()) + 1.74 * remainder;
+  }
+
+  /// By how much derivatives by each parameter multiply errors of points.
+  Vector4d steepness_of() const {
+    Vector4d result;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const PatchJets& patch = k < 2 ? first_ : second_;
+      const DerivativeBounds& bounds = k < 2 ? a_ : b_;
+      // The change of the weight, relative to it.
+      const double of_weight = bounds.first[k % 2][3];
+      result[static_cast<long>(k)] = 2 * static_cast<double>(patch.degree(k % 2)) + of_weight;
+    }
+    return result;
   }
 
   static Eigen::Vector3d vector_of(const Array4d& a) { return {a[0], a[1], a[2]}; }
@@ -252,6 +309,11 @@ class ArcTracing {
   PatchJets& first_;
   PatchJets& second_;
   double tolerance_;
+  /// Whether to set out away from the goal.
+  bool turned_ = false;
+  Vector4d cell_lower_;
+  Vector4d cell_upper_;
+  /// Where the bounds hold.
   Vector4d lower_;
   Vector4d upper_;
   DerivativeBounds a_;

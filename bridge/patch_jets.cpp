@@ -113,7 +113,7 @@ Array4d PatchJets::largest_derivative(std::vector<Array4d> points, std::size_t p
                                       double width_b) const {
   const std::size_t m = shape_.degree[0];
   const std::size_t n = shape_.degree[1];
-  if (p > m || q > n) return Array4d::Constant(0x1p-60);
+  if (p > m || q > n) return Array4d::Zero();
   double factor = 1;
   for (std::size_t k = 0; k < p; ++k) {
     factor *= static_cast<double>(m - k) / width_a;

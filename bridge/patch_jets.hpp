@@ -34,6 +34,8 @@ class PatchJets {
   /// The net must outlive the object.
   explicit PatchJets(const ControlNet& net);
 
+  std::size_t degree(std::size_t axis) const { return shape_.degree[axis]; }
+
   struct Value : Partials {
     Array4d point;
     /// Bounds that of each coordinate of the point.
