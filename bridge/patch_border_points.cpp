@@ -264,8 +264,11 @@ class BorderSearch {
   }
 
   struct Jet {
+    /// By parameters in units in which each moves the point by one: patches of any sizes are alike.
     Eigen::Matrix<double, 3, 4> jacobian;
-    Eigen::Vector3d bend(const Eigen::Vector4d& d) const {
+    Eigen::Vector4d unit;
+    Eigen::Vector3d bend(const Eigen::Vector4d& direction) const {
+      const Eigen::Vector4d d = direction.cwiseProduct(unit);
       const Array4d value = along(first.second, d[0], d[1]) - along(second.second, d[2], d[3]);
       return {value[0], value[1], value[2]};
     }
@@ -282,25 +285,42 @@ class BorderSearch {
     Jet jet;
     jet.first = jets_[0].at(point.parameters[0], point.parameters[1]);
     jet.second = jets_[1].at(point.parameters[2], point.parameters[3]);
-    double curvature = 0;
-    for (long i = 0; i < 3; ++i) {
+    for (long i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 2; ++k) {
         jet.jacobian(i, static_cast<long>(k)) = jet.first.first[k][i];
         jet.jacobian(i, static_cast<long>(2 + k)) = -jet.second.first[k][i];
       }
-      for (const Array4d& second : jet.first.second) curvature = std::max(curvature, std::fabs(second[i]));
-      for (const Array4d& second : jet.second.second) curvature = std::max(curvature, std::fabs(second[i]));
+    for (long k = 0; k < 4; ++k) {
+      const double speed = jet.jacobian.col(k).norm();
+      jet.unit[k] = speed > 0 ? 1 / speed : 0;
     }
-    const double scale = jet.jacobian.cwiseAbs().maxCoeff();
-    constexpr double much = 16;
-    jet.error = much * curvature * point.radius + 1e-12 * (scale + curvature);
+    jet.jacobian = jet.jacobian * jet.unit.asDiagonal();
+    jet.error = 1e-12;
+    for (std::size_t own = 0; own < 2; ++own) {
+      // Around the point, and of roundings.
+      const double u = point.parameters[2 * own];
+      const double v = point.parameters[2 * own + 1];
+      const double reach = point.radius + 0x1p-20;
+      const auto bounds = jets_[own].bounds_on(u - reach, u + reach, v - reach, v + reach);
+      const PatchJets::Value& at = own == 0 ? jet.first : jet.second;
+      const std::array<double, 2> by{jet.unit[static_cast<long>(2 * own)], jet.unit[static_cast<long>(2 * own + 1)]};
+      for (std::size_t k = 0; k < 2; ++k) {
+        double bend = infinity;
+        double steepness = infinity;
+        if (bounds) {
+          bend = (bounds->second[k] + bounds->second[k + 1]).head<3>().maxCoeff();
+          steepness = 2 * static_cast<double>(jets_[own].degree(k)) + bounds->first[k][3];
+        }
+        jet.error = std::max(jet.error, 1e-12 + 2 * by[k] * (bend * point.radius + steepness * at.error));
+      }
+    }
     for (int k = 0; k < 4; ++k) {
       Eigen::Matrix3d minor;
       for (int c = 0, at = 0; c < 4; ++c)
         if (c != k) minor.col(at++) = jet.jacobian.col(c);
       jet.tangent[k] = (k % 2 == 0 ? 1 : -1) * minor.determinant();
     }
-    jet.tangent_error = 20 * scale * scale * jet.error;
+    jet.tangent_error = 20 * jet.error;
     return jet;
   }
 
