@@ -101,8 +101,9 @@ class Subdivision {
       leave_open(cell);
       return;
     }
-    if (verdict.regular && cut_between_points()) return;
-    const std::size_t axis = test_.widest_axis();
+    const std::array<double, 4> spreads = test_.spreads();
+    if (verdict.regular && cut_between_points(spreads)) return;
+    const auto axis = static_cast<std::size_t>(std::max_element(spreads.begin(), spreads.end()) - spreads.begin());
     for (const double at : cut_places(axis))
       if (cut(axis, at)) return;
     for (std::size_t other = 0; other < 4; ++other)
@@ -222,9 +223,9 @@ class Subdivision {
     if (graph_.open.size() >= limits_.most_open) graph_.complete = false;
   }
 
-  /// Cuts between the points on the sides, where the gap is large and nothing crosses the cut: then it separates arcs.
-  /// A cut across all of them would leave as many on both sides of it, for ever.
-  bool cut_between_points() {
+  /// Cuts between the points on the sides, where the gap is largest in space and nothing crosses the cut: then it separates
+  /// arcs. A cut across all of them would leave as many on both sides of it, for ever.
+  bool cut_between_points(const std::array<double, 4>& spreads) {
     const Cell& cell = stack_.back();
     struct Gap {
       double size = 0;
@@ -239,17 +240,20 @@ class Subdivision {
       std::sort(places.begin(), places.end());
       gaps[k].axis = k;
       for (std::size_t i = 1; i + 2 < places.size(); i += 1) {
-        if (places[i + 1] - places[i] <= gaps[k].size) continue;
-        gaps[k].size = places[i + 1] - places[i];
+        const double width = places[i + 1] - places[i];
+        // Between opposite sides a cut meets the arcs instead of separating them.
+        constexpr double side = 1e-6;
+        constexpr double least_gap = 1e-3;
+        if (width < least_gap || (places[i] < side && places[i + 1] > 1 - side)) continue;
+        if (width * spreads[k] <= gaps[k].size) continue;
+        gaps[k].size = width * spreads[k];
         gaps[k].at = 0.5 * (places[i + 1] + places[i]);
       }
     }
     std::sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.size > b.size; });
-    for (const Gap& gap : gaps) {
-      constexpr double least_gap = 0.05;
-      if (gap.size > least_gap && cut(gap.axis, std::clamp(gap.at, 0.125, 0.875), true)) return true;
-    }
-    return false;
+    return std::any_of(gaps.begin(), gaps.end(), [&](const Gap& gap) {
+      return gap.size > 0 && cut(gap.axis, std::clamp(gap.at, 0.125, 0.875), true);
+    });
   }
 
   /// Cuts the topmost cell at a local parameter into two. False when the cut passes too near to known points, or not

@@ -186,9 +186,8 @@ CellVerdict SurfaceCell::examine() {
   return verdict;
 }
 
-std::size_t SurfaceCell::widest_axis() const {
-  std::size_t result = 0;
-  double widest = -1;
+std::array<double, 4> SurfaceCell::spreads() const {
+  std::array<double, 4> result{};
   for (std::size_t k = 0; k < 4; ++k) {
     const Side<2>& side = k < 2 ? first : second;
     const std::size_t axis = k % 2;
@@ -200,11 +199,7 @@ std::size_t SurfaceCell::widest_axis() const {
         length += (side.points[base + (i + 1) * stride] - side.points[base + i * stride]).abs();
       largest = largest.max(length);
     });
-    const double here = largest.head<3>().maxCoeff() / side.weight;
-    if (here > widest) {
-      widest = here;
-      result = k;
-    }
+    result[k] = largest.head<3>().maxCoeff() / side.weight;
   }
   return result;
 }

@@ -39,8 +39,8 @@ class SurfaceCell {
     return false;
   }
   CellVerdict examine();
-  /// The parameter along which the points of the parts are spread most: u, v, s, t.
-  std::size_t widest_axis() const;
+  /// How far the points of the parts are spread in space along u, v, s, t.
+  std::array<double, 4> spreads() const;
 
  private:
   /// Directions of space in which both parts are looked at.
