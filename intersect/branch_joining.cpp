@@ -15,20 +15,44 @@ namespace {
 
 using Parameters = std::array<double, 4>;
 
-/// Ends are refined to much better than that, and different ones must be farther apart than the second.
+/// Ends are refined to much better than that, and different ones must be farther apart than the second, relative to the
+/// domain.
 constexpr double same_within = 1e-9;
 constexpr double apart_by = 1e-7;
 
-double distance(const Parameters& a, const Parameters& b) {
-  double result = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (a[k] == b[k]) continue;
-    // Large parameters are compared by their inverses.
-    const double difference = std::fabs(a[k]) > 1 && std::fabs(b[k]) > 1 ? 1 / a[k] - 1 / b[k] : a[k] - b[k];
-    result = std::max(result, std::fabs(difference));
+/// Distances of pairs of parameters: those with a domain relative to its width.
+class Metric {
+ public:
+  explicit Metric(const DomainBounds& bounds) : bounds_(bounds) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!bounds_[k]) continue;
+      const auto [lower, upper] = *bounds_[k];
+      constexpr double digits = 0x1p-50;
+      rounding_ = std::max(rounding_, digits * std::max(std::fabs(lower), std::fabs(upper)) / width(k));
+    }
   }
-  return result;
-}
+
+  double distance(const Parameters& a, const Parameters& b) const {
+    double result = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (a[k] == b[k]) continue;
+      const bool inverted = std::fabs(a[k]) > 1 && std::fabs(b[k]) > 1;
+      // On the projective line large parameters are compared by their inverses.
+      const double difference = bounds_[k] ? (a[k] - b[k]) / width(k) : inverted ? 1 / a[k] - 1 / b[k] : a[k] - b[k];
+      result = std::max(result, std::fabs(difference));
+    }
+    return result;
+  }
+
+  /// How far apart doubles make parameters that are the same, relative to the domain.
+  double rounding() const { return rounding_; }
+
+ private:
+  double width(std::size_t k) const { return (*bounds_[k])[1] - (*bounds_[k])[0]; }
+
+  const DomainBounds& bounds_;
+  double rounding_ = 0;
+};
 
 Parameters exchanged(const Parameters& p) { return {p[2], p[3], p[0], p[1]}; }
 
@@ -65,9 +89,14 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
   for (std::size_t k = 0; k < 4; ++k) {
     if (end.side[k] == 0) continue;
     any = any || !kept[k];
-    constexpr double rounding = 1e-13;
-    const bool border = bounds[k] && std::fabs(at[k] - (*bounds[k])[end.side[k] < 0 ? 0 : 1]) <=
-                                         rounding * std::max(1.0, std::fabs(at[k]));
+    bool border = false;
+    if (bounds[k]) {
+      const double bound = (*bounds[k])[end.side[k] < 0 ? 0 : 1];
+      constexpr double rounding = 1e-13;
+      constexpr double digits = 0x1p-50;
+      const double width = (*bounds[k])[1] - (*bounds[k])[0];
+      border = std::fabs(at[k] - bound) <= rounding * width + digits * std::fabs(bound);
+    }
     if (!border) end.side[k] = 0;
     left = left || (border && !kept[k]);
   }
@@ -77,7 +106,12 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
 class Joining {
  public:
   Joining(SurfaceResult& result, const DomainBounds& bounds, bool symmetric)
-      : result_(result), bounds_(bounds), symmetric_(symmetric) {}
+      : result_(result),
+        bounds_(bounds),
+        metric_(bounds),
+        same_(same_within + metric_.rounding()),
+        apart_(apart_by + 100 * metric_.rounding()),
+        symmetric_(symmetric) {}
 
   void run() {
     take_out_corner_points();
@@ -122,8 +156,8 @@ class Joining {
       const Parameters& first = b.points.front().parameters;
       const Parameters& last = b.points.back().parameters;
       const auto is_same = [&](const Parameters& from, const Parameters& to) {
-        return distance(a.points.front().parameters, from) < same_within &&
-               distance(a.points.back().parameters, to) < same_within;
+        return metric_.distance(a.points.front().parameters, from) < same_ &&
+               metric_.distance(a.points.back().parameters, to) < same_;
       };
       if (!is_same(first, last) && !is_same(last, first)) return false;
       // Along one line of the parameters there is one curve from end to end.
@@ -155,7 +189,7 @@ class Joining {
       const Parameters at = curve.points.back().parameters;
       const auto next = continuation(at);
       if (!next) {
-        if (may_close && distance(at, begin) < same_within && open_ends_near(at) == 2) {
+        if (may_close && metric_.distance(at, begin) < same_ && open_ends_near(at) == 2) {
           curve.kind = SurfaceComponentKind::loop;
           curve.points.back() = curve.points.front();
         } else {
@@ -186,7 +220,7 @@ class Joining {
   /// Also those that are joined already, and the one asked for.
   std::ptrdiff_t open_ends_near(const Parameters& at) const {
     return std::count_if(open_ends_.begin(), open_ends_.end(), [&](const Parameters& end) {
-      return distance(at, end) < apart_by || (symmetric_ && distance(at, exchanged(end)) < apart_by);
+      return metric_.distance(at, end) < apart_ || (symmetric_ && metric_.distance(at, exchanged(end)) < apart_);
     });
   }
 
@@ -208,7 +242,7 @@ class Joining {
         const Parameters& there = (turned ? pieces_[i].points.back() : pieces_[i].points.front()).parameters;
         for (const bool mirrored : {false, true}) {
           if (mirrored && !symmetric_) continue;
-          const double d = distance(at, mirrored ? exchanged(there) : there);
+          const double d = metric_.distance(at, mirrored ? exchanged(there) : there);
           if (d < best.distance) {
             second_best = best.distance;
             best = {i, turned, mirrored, d};
@@ -218,7 +252,7 @@ class Joining {
         }
       }
     }
-    if (!(best.distance < same_within) || second_best < apart_by) return std::nullopt;
+    if (!(best.distance < same_) || second_best < apart_) return std::nullopt;
     if (best.turned) turn(best.piece);
     if (best.exchanged) exchange(pieces_[best.piece]);
     return best.piece;
@@ -226,6 +260,9 @@ class Joining {
 
   SurfaceResult& result_;
   const DomainBounds& bounds_;
+  Metric metric_;
+  double same_;
+  double apart_;
   bool symmetric_;
   std::vector<SurfaceComponent> pieces_;
   std::vector<SurfaceComponent> rest_;
@@ -237,10 +274,10 @@ class Joining {
 };
 
 /// How far in the parameters a polyline passes from a point.
-double distance_to(const SurfaceComponent& component, const Parameters& at) {
+double distance_to(const SurfaceComponent& component, const Parameters& at, const Metric& metric) {
   double result = INFINITY;
   const auto& points = component.points;
-  if (points.size() == 1) return distance(points.front().parameters, at);
+  if (points.size() == 1) return metric.distance(points.front().parameters, at);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Parameters& a = points[i].parameters;
     const Parameters& b = points[i + 1].parameters;
@@ -253,7 +290,7 @@ double distance_to(const SurfaceComponent& component, const Parameters& at) {
     const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
     Parameters foot;
     for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
-    result = std::min(result, distance(foot, at));
+    result = std::min(result, metric.distance(foot, at));
   }
   return result;
 }
@@ -264,7 +301,8 @@ void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symme
   Joining(result, bounds, symmetric).run();
 }
 
-void remove_mirror_images(SurfaceResult& result) {
+void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
+  const Metric metric(bounds);
   std::vector<SurfaceComponent>& all = result.components;
   std::vector<bool> removed(all.size(), false);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -274,7 +312,7 @@ void remove_mirror_images(SurfaceResult& result) {
     std::size_t partner = i;
     for (std::size_t j = i; j < all.size(); ++j) {
       if (removed[j] || all[j].kind != all[i].kind) continue;
-      const double d = distance_to(all[j], image);
+      const double d = distance_to(all[j], image, metric);
       if (!(d < nearest)) continue;
       nearest = d;
       partner = j;

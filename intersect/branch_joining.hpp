@@ -23,7 +23,7 @@ void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symme
 
 /// Of a surface with itself, where every curve was found with (u, v) and (s, t) exchanged, too: keeps one of both, or
 /// marks the curve as mirrored that is mapped to itself. Points of contact likewise.
-void remove_mirror_images(SurfaceResult& result);
+void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds);
 
 /// Adds the components, singular points and warnings of a pair of pieces to those before; the worse of both statuses.
 void append(SurfaceResult& all, SurfaceResult part);

@@ -156,7 +156,7 @@ class PatchWithItself {
       bounds[k] = {nearest(side.lower), nearest(side.upper)};
     }
     join_branches(result_, bounds);
-    remove_mirror_images(result_);
+    remove_mirror_images(result_, bounds);
     for (const Pinch& pinch : pinches_) add_pinch(net, pinch);
     for (const bridge::CellBox& box : clusters_of(open_)) add_fold(box);
     summarise(result_);
