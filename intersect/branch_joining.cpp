@@ -151,11 +151,11 @@ class Joining {
 
   /// A curve along a seam is found on both sides of it: one is enough.
   void take_out_repeated_seams() {
-    const auto repeats = [](const SurfaceComponent& a, const SurfaceComponent& b) {
+    const auto repeats = [this](const SurfaceComponent& a, const SurfaceComponent& b) {
       if (a.kind != SurfaceComponentKind::curve || b.kind != SurfaceComponentKind::curve) return false;
       const Parameters& first = b.points.front().parameters;
       const Parameters& last = b.points.back().parameters;
-      const auto is_same = [&](const Parameters& from, const Parameters& to) {
+      const auto is_same = [&, this](const Parameters& from, const Parameters& to) {
         return metric_.distance(a.points.front().parameters, from) < same_ &&
                metric_.distance(a.points.back().parameters, to) < same_;
       };

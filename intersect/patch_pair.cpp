@@ -42,6 +42,34 @@ void make_weights_positive(PreparedNet& net) {
     for (Rational& coordinate : point) coordinate = Rational(0) - coordinate;
 }
 
+/// By which power of two c the control points of row i (column, for axis 1) must be multiplied, c^i, so that their
+/// weights do not rise or fall: u / (1 - u) is c times the new parameter's.
+long balance_exponent(const PreparedNet& net, std::size_t axis) {
+  const auto& [m, n] = std::array{net.exact.degrees[0], net.exact.degrees[1]};
+  const std::size_t lines = axis == 0 ? n : m;
+  const std::size_t degree = axis == 0 ? m : n;
+  const auto weight = [&](std::size_t line, std::size_t i) {
+    return std::log2(nearest(net.exact.points[axis == 0 ? i * (n + 1) + line : line * (n + 1) + i][3]));
+  };
+  double sum = 0;
+  for (std::size_t line = 0; line <= lines; ++line) sum += weight(line, 0) - weight(line, degree);
+  const double slope = sum / static_cast<double>((lines + 1) * degree);
+  return std::isfinite(slope) ? std::lround(slope) : 0;
+}
+
+/// Multiplies all coordinates of row i by 2^(e i).
+void balance(PreparedNet& net, std::size_t axis, long exponent) {
+  if (exponent == 0) return;
+  const std::size_t row = net.exact.degrees[1] + 1;
+  for (std::size_t i = 0; i < net.exact.points.size(); ++i) {
+    const auto power = static_cast<long>(axis == 0 ? i / row : i % row) * exponent;
+    Rational factor;
+    fmpz_one_2exp(fmpq_numref(factor.get()), static_cast<ulong>(std::max(power, 0L)));
+    fmpz_one_2exp(fmpq_denref(factor.get()), static_cast<ulong>(std::max(-power, 0L)));
+    for (Rational& coordinate : net.exact.points[i]) coordinate = coordinate * factor;
+  }
+}
+
 class PatchPair {
  public:
   PatchPair(PreparedNet first, PreparedNet second, double tolerance, const Context& context)
@@ -70,6 +98,12 @@ class PatchPair {
     if (!has_positive_weights(first_) || !has_positive_weights(second_)) {
       result_.warnings.push_back("a patch has weights of both signs or zero: it was not intersected");
       return false;
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      PreparedNet& net = k < 2 ? first_ : second_;
+      const long exponent = balance_exponent(net, k % 2);
+      balance(net, k % 2, exponent);
+      balance_[k] = std::ldexp(1.0, static_cast<int>(exponent));
     }
     origin_ = first_.origin();
     auto first = first_.rounded(origin_);
@@ -120,7 +154,9 @@ class PatchPair {
     const symbolic::Interval& side = k < 2 ? first_.domain[k] : second_.domain[k - 2];
     const double lower = nearest(side.lower);
     const double upper = nearest(side.upper);
-    return local == 1 ? upper : lower + local * (upper - lower);
+    const double c = balance_[k];
+    const double place = c == 1 ? local : c * local / ((1 - local) + c * local);
+    return place == 1 ? upper : lower + place * (upper - lower);
   }
 
   SurfacePoint placed(const std::array<double, 4>& parameters, const std::array<double, 3>& point) const {
@@ -170,12 +206,13 @@ class PatchPair {
     const auto steps =
         static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(curvature / (8 * tolerance_))), 1.0, 1e6));
     SurfaceComponent component;
-    component.error = curvature / 8 / static_cast<double>(steps * steps) + 1e-14 * (size_of(first_) + size_of(second_));
+    component.error = curvature / 8 / static_cast<double>(steps * steps);
     component.certified = true;
     std::array<double, 2> start{0.5, 0.5};
     std::array<double, 4> first_at{};
     std::array<double, 4> last_at{};
     bool known = false;
+    double evaluation = 0;
     for (std::size_t i = 0; i <= steps; ++i) {
       const double place =
           border.lower + (border.upper - border.lower) * static_cast<double>(i) / static_cast<double>(steps);
@@ -184,6 +221,7 @@ class PatchPair {
       at[along] = place;
       const std::size_t base = of_first ? 0 : 2;
       const bridge::PatchJets::Value value = own.at(at[base], at[base + 1]);
+      evaluation = std::max(evaluation, value.error);
       if (!known) start = nearest_start(other, value.point);
       known = true;
       start = parameters_of(other, value.point, start);
@@ -193,6 +231,8 @@ class PatchPair {
       last_at = at;
       component.points.push_back(placed(at, {value.point[0], value.point[1], value.point[2]}));
     }
+    // Ends of the interval are known to 15 digits.
+    component.error += 1.74 * evaluation + 1e-14 * size_of(of_first ? first_ : second_) + rounding_of(component);
     const auto sides_of = [&](const std::array<double, 4>& at) {
       // It ends where one of both patches does.
       constexpr double accuracy = 1e-9;
@@ -252,9 +292,20 @@ class PatchPair {
     component.start.side = point.side;
     component.end = component.start;
     component.tangential = point.touching;
-    component.error = point.radius;
+    component.error = error_in_space(point) + rounding_of(component);
     component.certified = true;
     result_.components.push_back(std::move(component));
+  }
+
+  /// How far the point of the first patch at the parameters given is from the true one.
+  double error_in_space(const bridge::CrossingPoint& point) const {
+    bridge::PatchJets patch(first_net_);
+    const double reach = point.radius + 0x1p-20;
+    const auto bounds = patch.bounds_on(point.parameters[0] - reach, point.parameters[0] + reach,
+                                        point.parameters[1] - reach, point.parameters[1] + reach);
+    if (!bounds) return INFINITY;
+    const double speed = (bounds->first[0] + bounds->first[1]).head<3>().matrix().norm();
+    return speed * point.radius + 1.74 * patch.at(point.parameters[0], point.parameters[1]).error;
   }
 
   /// Singular points are those of the contacts first, in their order.
@@ -271,7 +322,10 @@ class PatchPair {
     component.kind = SurfaceComponentKind::point;
     component.points.push_back(point.at);
     component.tangential = true;
-    component.error = rounding_of(component) + 1e-14 * (size_of(first_) + size_of(second_));
+    bridge::CrossingPoint at;
+    at.parameters = contact.contact.rounded;
+    at.radius = 0x1p-53;
+    component.error = error_in_space(at) + rounding_of(component);
     component.certified = true;
     result_.components.push_back(std::move(component));
   }
@@ -309,6 +363,8 @@ class PatchPair {
     } else {
       component.start = end_at(chain.start, component);
       component.end = end_at(chain.end, component);
+      put_on_border(component.points.front(), component.start);
+      put_on_border(component.points.back(), component.end);
     }
     result_.components.push_back(std::move(component));
   }
@@ -322,6 +378,12 @@ class PatchPair {
     for (double factor = 1; !traced.proven && factor < most; factor *= 4)
       traced = tracer.trace_to_contact(from, graph_.contacts[*arc.contact], *prover_, factor * tolerance_, context_);
     return traced;
+  }
+
+  /// Newton's method has moved the end of a polyline off the border a little.
+  void put_on_border(SurfacePoint& point, const BranchEnd& end) const {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (end.side[k] != 0) point.parameters[k] = to_domain(k, end.side[k] < 0 ? 0 : 1);
   }
 
   /// What the sum with the origin and its rounding add.
@@ -381,6 +443,8 @@ class PatchPair {
   double tolerance_;
   const Context& context_;
   std::array<Rational, 3> origin_;
+  /// Of u, v, s, t: parameters of the nets are those of the patches with u / (1 - u) divided by that.
+  std::array<double, 4> balance_{1, 1, 1, 1};
   ControlNet first_net_;
   ControlNet second_net_;
   const bridge::SurfaceContactProver* prover_ = nullptr;
