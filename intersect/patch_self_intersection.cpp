@@ -142,10 +142,18 @@ class PatchWithItself {
 
   void intersect_parts() {
     const double tolerance = options_.tolerance * size_of(net_);
+    std::size_t undecided = 0;
     for (const PartPair& pair : separated_) {
       if (result_.limit) return;
       if (apart(first_.part(pair.first), second_.part(pair.second))) continue;
-      append(result_, intersect_patches(first_.net(pair.first), second_.net(pair.second), tolerance, context_));
+      SurfaceResult part = intersect_patches(first_.net(pair.first), second_.net(pair.second), tolerance, context_);
+      if (part.status == Status::numeric) ++undecided;
+      append(result_, std::move(part));
+      // A surface that covers another part of itself would go on for long.
+      constexpr std::size_t most_undecided = 32;
+      if (undecided < most_undecided) continue;
+      result_.warnings.push_back("too many parts of the surface may touch each other: the rest was not looked at");
+      return;
     }
   }
 
