@@ -223,8 +223,8 @@ class Subdivision {
     if (graph_.open.size() >= limits_.most_open) graph_.complete = false;
   }
 
-  /// Cuts between the points on the sides, where the gap is largest in space and nothing crosses the cut: then it separates
-  /// arcs. A cut across all of them would leave as many on both sides of it, for ever.
+  /// Cuts between the points on the sides, where the gap is largest in space and nothing crosses the cut: then it
+  /// separates arcs. A cut across all of them would leave as many on both sides of it, for ever.
   bool cut_between_points(const std::array<double, 4>& spreads) {
     const Cell& cell = stack_.back();
     struct Gap {

@@ -103,6 +103,28 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
   return any && !left;
 }
 
+/// How far in the parameters a polyline passes from a point.
+double distance_to(const SurfaceComponent& component, const Parameters& at, const Metric& metric) {
+  double result = INFINITY;
+  const auto& points = component.points;
+  if (points.size() == 1) return metric.distance(points.front().parameters, at);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Parameters& a = points[i].parameters;
+    const Parameters& b = points[i + 1].parameters;
+    double dot = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      dot += (at[k] - a[k]) * (b[k] - a[k]);
+      square += (b[k] - a[k]) * (b[k] - a[k]);
+    }
+    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
+    Parameters foot;
+    for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
+    result = std::min(result, metric.distance(foot, at));
+  }
+  return result;
+}
+
 class Joining {
  public:
   Joining(SurfaceResult& result, const DomainBounds& bounds, bool symmetric)
@@ -160,6 +182,9 @@ class Joining {
                metric_.distance(a.points.back().parameters, to) < same_;
       };
       if (!is_same(first, last) && !is_same(last, first)) return false;
+      // Two halves of a circle have the same ends.
+      constexpr double near = 1e-4;
+      if (!(distance_to(a, b.points[b.points.size() / 2].parameters, metric_) < near)) return false;
       // Along one line of the parameters there is one curve from end to end.
       const std::array<bool, 4> of_a = kept_parameters(a);
       const std::array<bool, 4> of_b = kept_parameters(b);
@@ -273,28 +298,6 @@ class Joining {
   std::vector<bool> used_;
 };
 
-/// How far in the parameters a polyline passes from a point.
-double distance_to(const SurfaceComponent& component, const Parameters& at, const Metric& metric) {
-  double result = INFINITY;
-  const auto& points = component.points;
-  if (points.size() == 1) return metric.distance(points.front().parameters, at);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Parameters& a = points[i].parameters;
-    const Parameters& b = points[i + 1].parameters;
-    double dot = 0;
-    double square = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      dot += (at[k] - a[k]) * (b[k] - a[k]);
-      square += (b[k] - a[k]) * (b[k] - a[k]);
-    }
-    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
-    Parameters foot;
-    for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
-    result = std::min(result, metric.distance(foot, at));
-  }
-  return result;
-}
-
 }  // namespace
 
 void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symmetric) {
@@ -305,20 +308,25 @@ void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
   const Metric metric(bounds);
   std::vector<SurfaceComponent>& all = result.components;
   std::vector<bool> removed(all.size(), false);
+  // Polylines are that far from their curves in the parameters at most.
+  constexpr double near = 1e-3;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (removed[i]) continue;
-    const Parameters image = exchanged(all[i].points[all[i].points.size() / 2].parameters);
+    // Next to a pinch point one of both may be longer: its middle, or else its ends, has an image on the other.
     double nearest = INFINITY;
     std::size_t partner = i;
-    for (std::size_t j = i; j < all.size(); ++j) {
-      if (removed[j] || all[j].kind != all[i].kind) continue;
-      const double d = distance_to(all[j], image, metric);
-      if (!(d < nearest)) continue;
-      nearest = d;
-      partner = j;
+    const std::size_t last = all[i].points.size() - 1;
+    for (const std::size_t sample : {last / 2, std::size_t{0}, last}) {
+      if (nearest < near) break;
+      const Parameters image = exchanged(all[i].points[sample].parameters);
+      for (std::size_t j = i; j < all.size(); ++j) {
+        if (removed[j] || all[j].kind != all[i].kind) continue;
+        const double d = distance_to(all[j], image, metric);
+        if (!(d < nearest)) continue;
+        nearest = d;
+        partner = j;
+      }
     }
-    // Polylines are that far from their curves in the parameters at most.
-    constexpr double near = 1e-3;
     if (!(nearest < near)) {
       all[i].certified = false;
       all[i].reason = "its image under the exchange of both preimages was not found";

@@ -123,7 +123,10 @@ class PatchWithItself {
     std::vector<bridge::ParameterRectangle> explained;
     for (const bridge::CellBox& box : clusters_of(boxes)) {
       const bridge::ParameterRectangle rectangle{{box.lower[0], box.lower[1]}, {box.upper[0], box.upper[1]}};
-      const auto pinch = bridge::pinch_point_in(net, rectangle);
+      // On the border of the domain the double curve might end elsewhere.
+      bool inside = true;
+      for (std::size_t k = 0; k < 2; ++k) inside = inside && rectangle.lower[k] > 0 && rectangle.upper[k] < 1;
+      const auto pinch = inside ? bridge::pinch_point_in(net, rectangle) : std::nullopt;
       if (!pinch) continue;
       pinches_.push_back({*pinch, rectangle});
       explained.push_back(rectangle);

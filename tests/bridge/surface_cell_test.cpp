@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+
 #include <random>
 
 #include <support/text_patches.hpp>
@@ -116,11 +119,15 @@ TEST_CASE("Surface cell: a planted point is never excluded, a planted contact ne
   CHECK(transversal > 100);
 }
 
-TEST_CASE("Surface cell: the widest axis is the parameter along which points are spread most") {
-  CHECK(Pair({"4*u", "v", "0"}, {"u", "2*v", "u"}).cell.widest_axis() == 0);
-  CHECK(Pair({"u", "5*v", "0"}, {"3*u", "v", "u"}).cell.widest_axis() == 1);
-  CHECK(Pair({"u", "v", "0"}, {"v", "2*v", "7*u"}).cell.widest_axis() == 2);
-  CHECK(Pair({"u", "v", "0"}, {"u", "2*u", "7*v"}).cell.widest_axis() == 3);
+TEST_CASE("Surface cell: spreads are the largest lengths of lines of control points, in one coordinate") {
+  const auto widest = [](const SurfaceCell& cell) {
+    const std::array<double, 4> spreads = cell.spreads();
+    return std::max_element(spreads.begin(), spreads.end()) - spreads.begin();
+  };
+  CHECK(widest(Pair({"4*u", "v", "0"}, {"u", "2*v", "u"}).cell) == 0);
+  CHECK(widest(Pair({"u", "5*v", "0"}, {"3*u", "v", "u"}).cell) == 1);
+  CHECK(widest(Pair({"u", "v", "0"}, {"v", "2*v", "7*u"}).cell) == 2);
+  CHECK(widest(Pair({"u", "v", "0"}, {"u", "2*u", "7*v"}).cell) == 3);
   // There and back again counts.
-  CHECK(Pair({"u", "v", "0"}, {"u", "2*v", "16*v*(1 - v)"}).cell.widest_axis() == 3);
+  CHECK(widest(Pair({"u", "v", "0"}, {"u", "2*v", "16*v*(1 - v)"}).cell) == 3);
 }

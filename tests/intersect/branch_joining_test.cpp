@@ -140,7 +140,7 @@ TEST_CASE("Joined branches: ends without a continuation, or with several, are un
 TEST_CASE("Joined branches: a curve along a seam, found from both sides, is one with its own ends") {
   const SurfaceComponent from_left = piece({{1, 0, 0.5, 0.5}, {1, 1, 0.75, 0.5}}, {1, -1, 0, 0}, {1, 1, 0, 0});
   const SurfaceComponent from_right =
-      piece({{1, 1, 0.75, 0.5}, {1, 0.5, 0.6, 0.5}, {1, 0, 0.5, 0.5}}, {-1, 1, 0, 0}, {-1, -1, 0, 0});
+      piece({{1, 1, 0.75, 0.5}, {1, 0.5, 0.625, 0.5}, {1, 0, 0.5, 0.5}}, {-1, 1, 0, 0}, {-1, -1, 0, 0});
   const SurfaceResult result = joined({from_left, from_right});
   CHECK(result.status == Status::certified);
   REQUIRE(result.components.size() == 1);
@@ -178,7 +178,7 @@ TEST_CASE("Mirror images: of two one is kept, a curve that is its own image is m
   result.components.push_back(piece({{0.2, 0.5, 0.6, 0.5}, {0.4, 0.5, 0.4, 0.5}, {0.6, 0.5, 0.2, 0.5}}, {}, {}));
   result.components.push_back(piece({image.rbegin(), image.rend()}, {}, {}));
   result.components.push_back(piece({{0.7, 0.1, 0.7, 0.9}, {0.7, 0.2, 0.7, 0.8}, {0.7, 0.3, 0.7, 0.7}}, {}, {}));
-  remove_mirror_images(result);
+  remove_mirror_images(result, bounds);
   REQUIRE(result.components.size() == 3);
   CHECK(result.components[0].points[0].parameters == curve[0]);
   CHECK_FALSE(result.components[0].mirrored);
