@@ -45,7 +45,8 @@ void make_weights_positive(PreparedNet& net) {
 /// By which power of two c the control points of row i (column, for axis 1) must be multiplied, c^i, so that their
 /// weights do not rise or fall: u / (1 - u) is c times the new parameter's.
 long balance_exponent(const PreparedNet& net, std::size_t axis) {
-  const auto& [m, n] = std::array{net.exact.degrees[0], net.exact.degrees[1]};
+  const std::size_t m = net.exact.degrees[0];
+  const std::size_t n = net.exact.degrees[1];
   const std::size_t lines = axis == 0 ? n : m;
   const std::size_t degree = axis == 0 ? m : n;
   const auto weight = [&](std::size_t line, std::size_t i) {

@@ -135,7 +135,8 @@ TEST_CASE("surface and equation: a sphere patch in pieces gives the same curves 
   const Interval v{Rational(1) / Rational(5), 5};
   for (const std::string equation :
        {"5*x - 4", "x + 2*y + 3*z - 1", "(x-1)^2 + y^2 + z^2 - 1/4", "y", "z", "y*z", "y*(y - z)", "x - 1"}) {
-    CAPTURE(equation);
+    const std::string named = equation;
+    CAPTURE(named);
     const SurfaceResult one = solve(patch(sphere, u, v), equation);
     CHECK(one.status == Status::certified);
     for (const auto& [at_u, at_v] :
@@ -237,7 +238,8 @@ TEST_CASE("surface and equation: conic sections") {
   CHECK(hyperbola.status == Status::certified);
   CHECK(hyperbola.counts.curves == 2);
   for (const auto& [equation, result] : {std::pair("parabola", &parabola), std::pair("hyperbola", &hyperbola)}) {
-    CAPTURE(equation);
+    const std::string named = equation;
+    CAPTURE(named);
     for (const SurfaceComponent& curve : result->components)
       for (const auto& point : curve.points) {
         const auto& [x, y, z] = point.point;
@@ -434,7 +436,8 @@ TEST_CASE("surface and equation: both orders say the same") {
   for (const auto& [surface, equation] :
        {std::pair(patch(cylinder, {-3, 3}, {-3, 3}), "x^2 + y^2 + z^2 - 4"), std::pair(whole(torus), "3*x - 4*z"),
         std::pair(patch(sphere, {-1, 1}, {Rational(1) / Rational(2), 2}), "x + y + 2*z - 1")}) {
-    CAPTURE(equation);
+    const std::string named = equation;
+    CAPTURE(named);
     Options options;
     options.tolerance = 1e-5;
     const SurfaceResult first = intersect_surface_surface({surface, in_space(equation)}, options, Context());

@@ -40,7 +40,7 @@ TEST_CASE("Projective charts: their points are the points of the surface, and th
         PatchText{"u*v - 2", "u + 3*v^2", "5*u - v", "1 + u*v + u^3"}}) {
     CAPTURE(text.z);
     const ParametricSurface surface = unbounded(text);
-    for (const std::size_t which : {0, 1, 2}) {
+    for (const std::size_t which : {0U, 1U, 2U}) {
       const auto charts = projective_charts(surface, which);
       // By how often each parameter, or its inverse, is in a chart.
       for (const Rational& u : {ratio(-7, 2), ratio(-1, 3), ratio(1, 5), ratio(4, 1)})
@@ -65,7 +65,7 @@ TEST_CASE("Projective charts: their points are the points of the surface, and th
 }
 
 TEST_CASE("Projective charts: of pairs of surfaces with positive weights all control weights are positive") {
-  for (const std::size_t which : {0, 1})
+  for (const std::size_t which : {0U, 1U})
     for (const ProjectiveChart& chart :
          projective_charts(unbounded({"u", "v", "u^2*v^2", "(1 + u^2)*(1 + v^2)"}), which)) {
       const auto net = prepared_net(chart.piece);
