@@ -65,8 +65,8 @@ TEST_CASE("a curve with open ends is no loop in a far domain") {
   const DomainBounds bounds{{{{1e9, 1e9 + 2}}, {{1e9, 1e9 + 2}}, {{1e9, 1e9 + 2}}, {{1e9, 1e9 + 2}}}};
   SurfaceResult result;
   const Parameters from{1e9 + 1, 1e9 + 0.5, 1e9 + 1, 1e9 + 0.5};
-  const Parameters to{1e9 + 1, 1e9 + 1.5, 1e9 + 1, 1e9 + 1.5};
-  result.components = {piece(from, {1, 0, 1, 0}, to, {1, 0, 1, 0})};
+  const Parameters to{1e9 + 0.5, 1e9 + 1.5, 1e9 + 0.5, 1e9 + 1.5};
+  result.components = {piece(from, {1, 0, 1, 0}, to, {-1, 0, -1, 0})};
   join_branches(result, bounds);
   REQUIRE(result.components.size() == 1);
   CHECK(result.components.front().kind == SurfaceComponentKind::curve);
