@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <eliminant/bridge/patch_jets.hpp>
 
@@ -168,6 +169,22 @@ class ArcTracing {
       x -= change;
       here = difference_at(x);
       if (!(change.lpNorm<Eigen::Infinity>() > 1e-9)) break;
+    }
+    return nearly_tangent(here) ? closest(here) : here;
+  }
+
+  /// Whether the normal equations were too inaccurate for Newton's method.
+  static bool nearly_tangent(const Difference& here) { return here.value.abs().head<3>().maxCoeff() > 4 * here.error; }
+
+  /// By steps that do not square the condition, as long as they help.
+  Difference closest(Difference here) {
+    constexpr int most_steps = 4;
+    for (int round = 0; round < most_steps && nearly_tangent(here); ++round) {
+      const Eigen::Vector3d value(here.value[0], here.value[1], here.value[2]);
+      const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, 4>> least(here.jacobian.topRows<3>());
+      const Difference next = difference_at(here.x - least.solve(value));
+      if (!(next.value.abs().head<3>().maxCoeff() < value.lpNorm<Eigen::Infinity>())) break;
+      here = next;
     }
     return here;
   }
@@ -338,40 +355,6 @@ TracedArc BranchTracer::trace_near(const std::array<double, 4>& from, const std:
   PatchJets second(second_);
   ArcTracing tracing(first, second, box, tolerance);
   return tracing.run(vector_of(from), vector_of(goal), near, context);
-}
-
-TracedArc BranchTracer::trace_to_contact(const CrossingPoint& from, const CellContact& contact,
-                                         const SurfaceContactProver& prover, double tolerance, const Context& context) {
-  const std::array<double, 4>& centre = contact.contact.rounded;
-  double near = 0;
-  double chord_error = 0;
-  constexpr int most_halvings = 40;
-  for (int i = 2; i < most_halvings && near == 0; ++i) {
-    CellBox box;
-    double least = 1;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double half = std::ldexp(contact.box.upper[k] - contact.box.lower[k], -i);
-      box.lower[k] = centre[k] - half;
-      box.upper[k] = centre[k] + half;
-      least = std::min(least, half);
-    }
-    const auto around = prover.neighbourhood(contact.contact, box);
-    if (!around || !(around->chord_error < tolerance)) continue;
-    near = least;
-    chord_error = around->chord_error;
-  }
-  if (near == 0) return {};
-  PatchJets first(first_);
-  PatchJets second(second_);
-  ArcTracing tracing(first, second, contact.box, tolerance);
-  TracedArc arc = tracing.run(vector_of(from.parameters), vector_of(centre), near, context);
-  TracedPoint end;
-  end.parameters = centre;
-  const PatchJets::Value value = first.at(centre[0], centre[1]);
-  for (std::size_t k = 0; k < 3; ++k) end.point[k] = value.point[static_cast<long>(k)];
-  arc.points.push_back(end);
-  arc.error = std::max(arc.error, chord_error);
-  return arc;
 }
 
 }  // namespace eliminant::bridge

@@ -49,11 +49,6 @@ class BranchTracer {
   TracedArc trace_near(const std::array<double, 4>& from, const std::array<double, 4>& goal, const CellBox& box,
                        double near, double tolerance, const Context& context);
 
-  /// An arc from a crossing point to a contact, which may be singular: by steps until the chord to the contact is
-  /// within the tolerance.
-  TracedArc trace_to_contact(const CrossingPoint& from, const CellContact& contact, const SurfaceContactProver& prover,
-                             double tolerance, const Context& context);
-
  private:
   const ControlNet& first_;
   const ControlNet& second_;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <eliminant/base/error.hpp>
-#include <eliminant/bridge/ball.hpp>
 #include <eliminant/bridge/bezier_part.hpp>
 #include <eliminant/bridge/net_side.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 
 namespace eliminant::bridge {
@@ -46,10 +46,8 @@ ControlNet function_net(const Polynomial& p, const std::array<symbolic::Interval
   ControlNet net;
   net.degrees = {degrees[0], degrees[1]};
   net.polynomial = true;
-  RealBall ball;
   for (const Rational& c : coefficients) {
-    arb_set_fmpq(ball.get(), (c / largest).get(), 64);
-    double value = arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
+    double value = nearest(c / largest);
     if (std::fabs(value) < 0x1p-200) value = 0;
     net.points.emplace_back(value, 0, 0, 1);
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <eliminant/bridge/bernstein_subdivision.hpp>
@@ -274,11 +275,21 @@ class BorderSearch {
     }
     PatchJets::Value first;
     PatchJets::Value second;
-    /// Bounds the error of every entry of the matrix.
-    double error = 0;
+    /// Bounds the length of the error of each column.
+    Eigen::Vector4d error;
+    /// The minors of the matrix.
     Eigen::Vector4d tangent;
-    double tangent_error = 0;
+    Eigen::Vector4d tangent_error;
   };
+
+  /// Bounds the error of the determinant of three columns; products of nearly parallel columns take errors away.
+  static double error_of_determinant(const Eigen::Matrix3d& columns, const Eigen::Vector3d& error) {
+    const auto cross = [&](long i, long j) { return columns.col(i).cross(columns.col(j)).norm(); };
+    const auto length = [&](long i) { return columns.col(i).norm() + error[i]; };
+    return error[0] * cross(1, 2) + error[1] * cross(0, 2) + error[2] * cross(0, 1) +
+           error[0] * error[1] * length(2) + error[0] * error[2] * length(1) + error[1] * error[2] * length(0) +
+           16 * unit_roundoff * length(0) * length(1) * length(2);
+  }
 
   /// At a point; its tangent is the vector of minors.
   Jet jet_at_point(const CrossingPoint& point) {
@@ -295,7 +306,6 @@ class BorderSearch {
       jet.unit[k] = speed > 0 ? 1 / speed : 0;
     }
     jet.jacobian = jet.jacobian * jet.unit.asDiagonal();
-    jet.error = 1e-12;
     for (std::size_t own = 0; own < 2; ++own) {
       // Around the point, and of roundings.
       const double u = point.parameters[2 * own];
@@ -311,16 +321,22 @@ class BorderSearch {
           bend = (bounds->second[k] + bounds->second[k + 1]).head<3>().maxCoeff();
           steepness = 2 * static_cast<double>(jets_[own].degree(k)) + bounds->first[k][3];
         }
-        jet.error = std::max(jet.error, 1e-12 + 2 * by[k] * (bend * point.radius + steepness * at.error));
+        constexpr double root_of_three = 1.7320509;
+        jet.error[static_cast<long>(2 * own + k)] =
+            1e-14 + root_of_three * 2 * by[k] * (bend * point.radius + steepness * at.error);
       }
     }
     for (int k = 0; k < 4; ++k) {
       Eigen::Matrix3d minor;
-      for (int c = 0, at = 0; c < 4; ++c)
-        if (c != k) minor.col(at++) = jet.jacobian.col(c);
+      Eigen::Vector3d error;
+      for (int c = 0, at = 0; c < 4; ++c) {
+        if (c == k) continue;
+        error[at] = jet.error[c];
+        minor.col(at++) = jet.jacobian.col(c);
+      }
       jet.tangent[k] = (k % 2 == 0 ? 1 : -1) * minor.determinant();
+      jet.tangent_error[k] = error_of_determinant(minor, error);
     }
-    jet.tangent_error = 20 * jet.error;
     return jet;
   }
 
@@ -332,7 +348,7 @@ class BorderSearch {
     for (std::size_t k = 0; k < 4; ++k) {
       if (point.side[k] == 0) continue;
       const double component = jet.tangent[static_cast<long>(k)];
-      if (!(std::fabs(component) > jet.tangent_error)) return std::nullopt;
+      if (!(std::fabs(component) > jet.tangent_error[static_cast<long>(k)])) return std::nullopt;
       const bool inward = component * point.side[k] < 0;
       forward = forward && inward;
       backward = backward && !inward;
@@ -343,7 +359,7 @@ class BorderSearch {
   /// The second derivative of the parameter along the intersection, where that touches the border of the axis.
   std::optional<double> bend_across(const CrossingPoint& point, std::size_t axis) {
     const Jet jet = jet_at_point(point);
-    if (!(jet.tangent.cwiseAbs().maxCoeff() > 1e3 * jet.tangent_error)) return std::nullopt;
+    if (!(jet.tangent.cwiseAbs().maxCoeff() > 1e3 * jet.tangent_error.maxCoeff())) return std::nullopt;
     const Eigen::Vector4d direction = jet.tangent.normalized();
     const Eigen::Matrix3d gram = jet.jacobian * jet.jacobian.transpose();
     const Eigen::Vector4d bend = -(jet.jacobian.transpose() * (gram.inverse() * jet.bend(direction)));

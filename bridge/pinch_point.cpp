@@ -136,31 +136,27 @@ class DividedDifference {
     const std::array<Enclosed, 3> columns{
         sum(d.ee, m, d.ef), sum(d.ef, m, d.ff),
         sum(d.along_f, DoubleInterval(-0.5 * length_, 0.5 * length_), sum(d.ef, m, d.ff))};
-    contraction_ = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      double row = 0;
-      for (std::size_t j = 0; j < 3; ++j) row += (columns[j][i] - DoubleInterval(i == j ? 1 : 0)).magnitude();
-      contraction_ = std::max(contraction_, row);
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        deviation_(static_cast<long>(i), static_cast<long>(j)) =
+            (columns[j][i] - DoubleInterval(i == j ? 1 : 0)).magnitude();
     bend_ = sum(sum(d.ee, DoubleInterval(2) * m, d.ef), m * m, d.ff);
-    constexpr double at_most = 0.95;
-    return contraction_ < at_most;
+    return is_contraction();
   }
 
-  /// How far the zero at k = 0 is from the point found at most.
-  double error_of_zero(double rounding) const {
-    const Vector3d left = vector_of(middle_.first[0] * e_[0] + middle_.first[1] * e_[1]);
-    const double norm = inverse_.cwiseAbs().rowwise().sum().maxCoeff();
-    return norm * (left.lpNorm<Eigen::Infinity>() + rounding) / (1 - contraction_);
+  /// How far the zero at k = 0 is from the point found at most, along e and f.
+  std::array<double, 2> error_of_zero(double rounding) const {
+    const Vector3d left = vector_of(middle_.first[0] * e_[0] + middle_.first[1] * e_[1]).cwiseAbs();
+    const Vector3d error = bound_of(inverse_.cwiseAbs() * (left + Vector3d::Constant(rounding)));
+    return {error[0], error[1]};
   }
 
   /// Bounds the distance in space from the pinch point of the double points with |k| <= `length`.
-  double reach(double length, double zero_error) const {
-    // The derivative of x and m by k: -1/2 along e, and what the matrix turns.
-    const double whole = 0.5 * magnitude(bend_);
-    const double turning = contraction_ / (1 - contraction_) * whole;
-    const double by_e = length * (0.5 * bend_[0].magnitude() + turning) + zero_error;
-    const double by_f = length * (0.5 * bend_[1].magnitude() + turning) + zero_error;
+  double reach(double length, const std::array<double, 2>& zero_error) const {
+    // The derivative of x and m by k is -1/2 the bend, solved for with the whole matrix.
+    const Vector3d speed = bound_of(0.5 * Vector3d(bend_[0].magnitude(), bend_[1].magnitude(), bend_[2].magnitude()));
+    const double by_e = length * (0.5 + speed[0]) + zero_error[0];
+    const double by_f = length * speed[1] + zero_error[1];
     const Vector3d left = vector_of(middle_.first[0] * e_[0] + middle_.first[1] * e_[1]);
     const DirectionalDerivatives d(net_, frame_of(Matrix3d::Identity()), rectangle_, e_, f_);
     double result = 0;
@@ -181,6 +177,26 @@ class DividedDifference {
     return frame;
   }
 
+  /// Whether the deviation shrinks all vectors in a maximum norm with weights, so that the whole is regular. Weights
+  /// follow from its own powers: along e, along f and m are on scales of their own.
+  bool is_contraction() {
+    if (!deviation_.allFinite()) return false;
+    Vector3d weights = Vector3d::Ones();
+    constexpr int rounds = 12;
+    for (int i = 0; i < rounds; ++i) {
+      weights = deviation_ * weights + 1e-3 * weights;
+      weights /= weights.maxCoeff();
+    }
+    const double contraction = (deviation_ * weights).cwiseQuotient(weights).maxCoeff();
+    constexpr double at_most = 0.95;
+    if (!(contraction < at_most)) return false;
+    solved_ = 1.001 * (Matrix3d::Identity() - deviation_).inverse();
+    return true;
+  }
+
+  /// Of all x with |x| <= b + D |x|, coordinate by coordinate, D the deviation.
+  Vector3d bound_of(const Vector3d& b) const { return solved_ * b; }
+
   const ControlNet& net_;
   ParameterRectangle rectangle_;
   std::array<double, 2> e_;
@@ -190,15 +206,26 @@ class DividedDifference {
   /// Largest |k| of a pair in the rectangle.
   double length_ = 0;
   Matrix3d inverse_;
-  double contraction_ = 0;
+  /// Bounds how much each entry of the derivative differs from that of the identity.
+  Matrix3d deviation_ = Matrix3d::Zero();
+  /// The inverse of the identity minus that, whose entries are not negative.
+  Matrix3d solved_ = Matrix3d::Identity();
 };
 
-/// Of first derivatives in doubles.
+/// Of first derivatives in doubles: in proportion to the coordinates, which are small where the patch is.
 double rounding_of(const ControlNet& net) {
   double size = 0;
-  for (const Array4d& point : net.points) size = std::max(size, point.abs().maxCoeff());
+  double least_weight = INFINITY;
+  double largest_weight = 0;
+  for (const Array4d& point : net.points) {
+    size = std::max(size, point.abs().head<3>().maxCoeff());
+    least_weight = std::min(least_weight, point[3]);
+    largest_weight = std::max(largest_weight, point[3]);
+  }
   const double degrees = static_cast<double>(net.degrees[0] + net.degrees[1]);
-  return 64 * degrees * degrees * unit_roundoff * size * (1 + size) + 64 * degrees * net.error.maxCoeff();
+  const double by_weights = std::pow(1 + largest_weight / least_weight, 2);
+  const double errors = net.error.head<3>().maxCoeff() + net.error[3] * size / least_weight;
+  return 64 * degrees * by_weights * (degrees * unit_roundoff * size + errors) / least_weight;
 }
 
 }  // namespace
@@ -211,7 +238,8 @@ std::optional<PinchPoint> pinch_point_in(const ControlNet& net, const ParameterR
   pinch.angle = singularity->angle;
   DividedDifference difference(net, *singularity, rectangle);
   if (!difference.bound()) return std::nullopt;
-  pinch.radius = difference.error_of_zero(rounding_of(net));
+  pinch.errors = difference.error_of_zero(rounding_of(net));
+  pinch.radius = std::hypot(pinch.errors[0], pinch.errors[1]);
   for (std::size_t k = 0; k < 2; ++k) {
     const double margin = 2 * pinch.radius + 1e-12;
     const double at = pinch.parameters[k];
@@ -231,7 +259,7 @@ std::optional<double> reach_of_pinch_point(const ControlNet& net, const PinchPoi
   if (!difference.bound()) return std::nullopt;
   // Both parameters of a pair are in the rectangle.
   constexpr double diagonal = 3;
-  return difference.reach(diagonal * near, pinch.radius);
+  return difference.reach(diagonal * near, pinch.errors);
 }
 
 }  // namespace eliminant::bridge

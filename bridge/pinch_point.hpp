@@ -15,6 +15,8 @@ struct PinchPoint {
   std::array<double, 2> parameters{};
   /// Bounds the error of both.
   double radius = 0;
+  /// Bounds the error along d and across it.
+  std::array<double, 2> errors{};
   /// Of the direction d at the pinch point.
   double angle = 0;
 };
@@ -23,8 +25,9 @@ struct PinchPoint {
 /// proven.
 ///
 /// With d = e + m f, e near the direction in which the derivative vanishes, (Phi(x + k d) - Phi(x)) / k is smooth, also
-/// at k = 0. Where its derivative by x and m is near one regular matrix for all pairs in the rectangle there is at most
-/// one zero for each k; pairs in other directions have different points because the derivative along f does not vanish.
+/// at k = 0. Where its derivative by x and m is near one regular matrix for all pairs in the rectangle, entry by entry,
+/// there is at most one zero for each k; pairs in other directions have different points because the derivative along f
+/// does not vanish.
 std::optional<PinchPoint> pinch_point_in(const ControlNet& net, const ParameterRectangle& rectangle);
 
 /// A bound of the distance in space between the pinch point and the double points whose parameters all differ from it

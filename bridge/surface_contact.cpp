@@ -7,10 +7,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <eliminant/bridge/ball.hpp>
 #include <eliminant/bridge/double_interval.hpp>
 #include <eliminant/bridge/enclosed_patch.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/bridge/simple_fraction.hpp>
 #include <eliminant/bridge/taylor_tables.hpp>
 
@@ -135,11 +135,7 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
     contact.parameters[k] = *fraction;
   }
   if (!is_contact(contact.parameters)) return std::nullopt;
-  for (std::size_t k = 0; k < 4; ++k) {
-    RealBall ball;
-    arb_set_fmpq(ball.get(), contact.parameters[k].get(), 64);
-    contact.rounded[k] = arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-  }
+  for (std::size_t k = 0; k < 4; ++k) contact.rounded[k] = nearest(contact.parameters[k]);
   return contact;
 }
 

@@ -7,6 +7,7 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/bezier_common_points.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
@@ -15,6 +16,7 @@ namespace eliminant::intersect {
 
 namespace {
 
+using bridge::exactly;
 using bridge::HomogeneousPoint;
 using symbolic::Rational;
 
@@ -31,14 +33,6 @@ void check(const std::vector<HomogeneousPoint>& points, std::size_t expected, bo
     weighted = weighted || point[3] != 0;
   }
   if (!weighted) throw InvalidInput("all weights of " + name + " are 0", "a weight that is not 0");
-}
-
-Rational exactly(double value) {
-  bridge::RealBall ball;
-  arb_set_d(ball.get(), value);
-  Rational result;
-  arf_get_fmpq(result.get(), arb_midref(ball.get()));
-  return result;
 }
 
 bridge::ExactNet exact_net(std::vector<std::size_t> degrees, const std::vector<HomogeneousPoint>& points) {

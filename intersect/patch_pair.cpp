@@ -7,11 +7,12 @@
 #include <string>
 
 #include <eliminant/base/error.hpp>
-#include <eliminant/bridge/ball.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
 #include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/patch_border_points.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/bridge/rational_double.hpp>
+#include <eliminant/bridge/singular_end_tracing.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
 #include <eliminant/intersect/border_curves.hpp>
 #include <eliminant/intersect/branch_components.hpp>
@@ -24,14 +25,9 @@ namespace {
 
 using bridge::BranchGraph;
 using bridge::ControlNet;
+using bridge::nearest;
 using Eigen::Array4d;
 using symbolic::Rational;
-
-double nearest(const Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
 
 /// Weights of one sign are made positive.
 void make_weights_positive(PreparedNet& net) {
@@ -336,7 +332,7 @@ class PatchPair {
     std::array<double, 4> middle;
     for (std::size_t k = 0; k < 4; ++k) {
       middle[k] = std::clamp(0.5 * (hull.lower[k] + hull.upper[k]), 0.0, 1.0);
-      point.radius = std::max(point.radius, 0.5 * (hull.upper[k] - hull.lower[k]));
+      point.radius = std::max(point.radius, 0.5 * (to_domain(k, hull.upper[k]) - to_domain(k, hull.lower[k])));
     }
     point.at = placed(middle);
     point.reason = "the surfaces touch here or nearly so, which is not proven";
@@ -373,12 +369,8 @@ class PatchPair {
   bridge::TracedArc traced_arc(bridge::BranchTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
     if (!arc.contact) return tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
-    // Next to a contact doubles tell both surfaces apart so far only.
-    bridge::TracedArc traced;
-    constexpr double most = 4096;
-    for (double factor = 1; !traced.proven && factor < most; factor *= 4)
-      traced = tracer.trace_to_contact(from, graph_.contacts[*arc.contact], *prover_, factor * tolerance_, context_);
-    return traced;
+    const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
+    return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);
   }
 
   /// Newton's method has moved the end of a polyline off the border a little.

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/bridge/taylor_tables.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
 
@@ -12,14 +12,9 @@ namespace eliminant::intersect {
 namespace {
 
 using bridge::DoubleInterval;
+using bridge::nearest;
 using symbolic::Interval;
 using symbolic::Rational;
-
-double nearest(const Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
 
 /// Where a side is cut.
 Rational fraction(std::size_t axis, std::size_t kind) {

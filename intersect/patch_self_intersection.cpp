@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/bridge/ball.hpp>
-#include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/injectivity.hpp>
 #include <eliminant/bridge/pinch_point.hpp>
+#include <eliminant/bridge/rational_double.hpp>
+#include <eliminant/bridge/singular_end_tracing.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
@@ -19,13 +19,8 @@ namespace eliminant::intersect {
 
 namespace {
 
+using bridge::nearest;
 using symbolic::Rational;
-
-double nearest(const Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
 
 bool touch(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
   for (std::size_t k = 0; k < 2; ++k)
@@ -192,7 +187,7 @@ class PatchWithItself {
   SurfacePoint placed(const std::array<double, 4>& local) const {
     SurfacePoint point;
     for (std::size_t k = 0; k < 4; ++k) point.parameters[k] = to_domain(k, local[k]);
-    const auto value = patch_.map.at({rational(point.parameters[0]), rational(point.parameters[1])});
+    const auto value = patch_.map.at({bridge::exactly(point.parameters[0]), bridge::exactly(point.parameters[1])});
     for (std::size_t k = 0; k < 3; ++k) point.point[k] = value[3].is_zero() ? NAN : nearest(value[k] / value[3]);
     return point;
   }
@@ -239,30 +234,16 @@ class PatchWithItself {
     }
     std::array<double, 4> from;
     for (std::size_t k = 0; k < 4; ++k) from[k] = from_domain(k, component.points.back().parameters[k]);
-    const auto& [u, v] = pinch.point.parameters;
-    const bridge::CellBox box{
-        {pinch.rectangle.lower[0], pinch.rectangle.lower[1], pinch.rectangle.lower[0], pinch.rectangle.lower[1]},
-        {pinch.rectangle.upper[0], pinch.rectangle.upper[1], pinch.rectangle.upper[0], pinch.rectangle.upper[1]}};
-    // Both preimages come together, and doubles tell them apart so far only.
-    bridge::TracedArc arc;
-    double chord = 0;
-    constexpr double most = 4096;
-    for (double factor = 1; !arc.proven && factor < most; factor *= 4) {
-      const double tolerance = factor * options_.tolerance * size_of(net_);
-      double near = 0x1p-6;
-      std::optional<double> reach;
-      for (; near > 0x1p-40 && !(reach && *reach < tolerance); near *= 0.5)
-        reach = bridge::reach_of_pinch_point(net, pinch.point, 0.5 * near);
-      chord = reach.value_or(INFINITY);
-      arc = bridge::BranchTracer(net, net).trace_near(from, {u, v, u, v}, box, near, tolerance, context_);
-    }
+    const std::array<Rational, 3> origin = net_.origin();
+    const bridge::TracedArc arc =
+        bridge::trace_to_pinch_point({net, net, net_.exact, net_.exact, origin}, from, pinch.point, pinch.rectangle,
+                                     options_.tolerance * size_of(net_), context_);
     for (std::size_t i = 1; i < arc.points.size(); ++i) component.points.push_back(placed(arc.points[i].parameters));
-    component.points.push_back(placed({u, v, u, v}));
     component.end.kind = BranchEndKind::singular;
     component.end.singular_point = result_.singular_points.size();
     component.mirrored = true;
-    component.error = std::max({component.error, arc.error, chord});
-    if (!arc.proven || !std::isfinite(chord)) {
+    component.error = std::max(component.error, arc.error);
+    if (!arc.proven) {
       component.reason = "the distance of the polyline from the curve next to the pinch point is not proven";
       return;
     }
@@ -284,14 +265,6 @@ class PatchWithItself {
         "the surface turns so much within the radius that it may meet itself there: a pinch point or an edge";
     result_.singular_points.push_back(std::move(point));
     result_.status = Status::numeric;
-  }
-
-  static Rational rational(double x) {
-    Rational result;
-    bridge::RealBall ball;
-    arb_set_d(ball.get(), x);
-    arf_get_fmpq(result.get(), arb_midref(ball.get()));
-    return result;
   }
 
   const symbolic::SurfacePiece& patch_;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 
 namespace eliminant::intersect {
 
@@ -33,6 +33,7 @@ struct Side {
 /// input is: so curves do not pass through corners. On a part across 0 the Bernstein coefficients of 1 + x^2 would not
 /// be positive, so both are cut once more.
 std::vector<Side> sides_of(std::size_t parameter) {
+  using bridge::nearest;
   using symbolic::Rational;
   constexpr std::size_t pair_parameters = 4;
   if (parameter >= pair_parameters) return {{{Rational(-1), Rational(1)}, false}, {{Rational(-1), Rational(1)}, true}};
@@ -46,12 +47,6 @@ std::vector<Side> sides_of(std::size_t parameter) {
           {{part(between), part(upper)}, false},
           {{inverse(lower), part(between_inverse)}, true},
           {{part(between_inverse), inverse(upper)}, true}};
-}
-
-double nearest(const symbolic::Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
 }
 
 }  // namespace
@@ -99,8 +94,8 @@ DomainBounds domain_bounds(const symbolic::ParametricSurface& first, const symbo
     for (const SurfacePiece& piece : (k < 2 ? first : second).pieces) {
       if (!piece.region) continue;
       const symbolic::Interval& side = piece.region->sides[k % 2];
-      const double lower = nearest(side.lower);
-      const double upper = nearest(side.upper);
+      const double lower = bridge::nearest(side.lower);
+      const double upper = bridge::nearest(side.upper);
       if (!bounds[k]) bounds[k] = {lower, upper};
       (*bounds[k])[0] = std::min((*bounds[k])[0], lower);
       (*bounds[k])[1] = std::max((*bounds[k])[1], upper);

@@ -7,19 +7,15 @@
 #include <utility>
 
 #include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 
 namespace eliminant::intersect {
 
 namespace {
 
 using bridge::ControlNet;
+using bridge::nearest;
 using symbolic::Rational;
-
-double nearest(const Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -39,7 +39,7 @@ TEST_CASE("Patch jets: values within the error they state, derivatives as the ex
       const ExactNet net = patch_net(text);
       const ControlNet rounded_net = in_doubles(net);
       const ExactJet exact(net, a, b);
-      const PatchJets::Value value = PatchJets(rounded_net).at(rounded(a), rounded(b));
+      const PatchJets::Value value = PatchJets(rounded_net).at(nearest(a), nearest(b));
       CHECK(value.error < 1e-13);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto lane = static_cast<long>(k);

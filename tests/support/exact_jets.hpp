@@ -6,17 +6,13 @@
 
 #include <support/text_patches.hpp>
 
-#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/bridge/taylor_tables.hpp>
 
 /// Derivatives of patches in affine coordinates, exactly.
 namespace eliminant::test {
 
-inline double rounded(const Rational& value) {
-  bridge::RealBall ball;
-  arb_set_fmpq(ball.get(), value.get(), 64);
-  return arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
-}
+using bridge::nearest;
 
 /// Affine partial derivatives of order (i, j), i + j <= 3, by the division of series.
 class ExactJet {
@@ -35,7 +31,7 @@ class ExactJet {
   }
   double derivative(std::size_t i, std::size_t j, std::size_t k) const {
     constexpr std::array<long, 4> factorial{1, 1, 2, 6};
-    return rounded(coefficient_[i][j][k] * Rational(factorial[i] * factorial[j]));
+    return nearest(coefficient_[i][j][k] * Rational(factorial[i] * factorial[j]));
   }
 
  private:

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include <eliminant/base/context.hpp>
+#include <eliminant/bridge/branch_subdivision.hpp>
+#include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/injectivity.hpp>
+#include <eliminant/bridge/pinch_point.hpp>
+#include <eliminant/bridge/zoomed_patches.hpp>
+
+namespace eliminant::bridge {
+
+/// Arcs into the singular points in which they end: by proven steps next to the point, where one chord is within the
+/// tolerance of what is known of the intersection there. The last steps are taken zoomed in (ZoomedPatches).
+
+/// From a crossing point to a contact; `proven` is false where none of the chords is short enough.
+TracedArc trace_to_contact(const PatchPairNets& nets, const CrossingPoint& from, const CellContact& contact,
+                           double tolerance, const Context& context);
+
+/// From double points of one patch, given twice by `nets`, to the pinch point of their arc; `rectangle` is the one in
+/// which that is proven.
+TracedArc trace_to_pinch_point(const PatchPairNets& nets, const std::array<double, 4>& from, const PinchPoint& pinch,
+                               const ParameterRectangle& rectangle, double tolerance, const Context& context);
+
+}  // namespace eliminant::bridge
