@@ -252,20 +252,13 @@ class ArcTracing {
     const double offset_error = (magnitude * rest).lpNorm<Eigen::Infinity>();
     const double largest_offset = 0.125 * offset.lpNorm<Eigen::Infinity>() * (1 + rounding) + offset_error;
     const double radius = 2.5 * largest_offset;
-    const double reach = length + radius;
     for (long k = 0; k < 4; ++k)
       if (std::min(here.x[k], here.x[k] + d[k]) - radius * unit[k] < lower_[k] ||
           std::max(here.x[k], here.x[k] + d[k]) + radius * unit[k] > upper_[k])
         return infinity;
-    // How much the Jacobian matrix changes from `here` to where the solutions are.
-    Matrix4d change = Matrix4d::Zero();
-    for (long i = 0; i < 3; ++i) {
-      change(i, 0) = (a_.second[0][i] * unit[0] + a_.second[1][i] * unit[1]) * unit[0] * reach;
-      change(i, 1) = (a_.second[1][i] * unit[0] + a_.second[2][i] * unit[1]) * unit[1] * reach;
-      change(i, 2) = (b_.second[0][i] * unit[2] + b_.second[1][i] * unit[3]) * unit[2] * reach;
-      change(i, 3) = (b_.second[1][i] * unit[2] + b_.second[2][i] * unit[3]) * unit[3] * reach;
-    }
-    const double contraction = (magnitude * change).rowwise().sum().maxCoeff() + rounding;
+    const Vector4d reach = step.cwiseAbs() + Vector4d::Constant(radius);
+    const JacobianChange change = change_of_jacobian(here, unit, reach, inverse, point_error * steepness);
+    const double contraction = change.solved.rowwise().sum().maxCoeff() + rounding;
     constexpr double at_most = 0.55;
     if (!(contraction < at_most)) return infinity;
     const double distance = largest_offset / (1 - contraction);
@@ -284,10 +277,47 @@ class ArcTracing {
     double remainder = 0;
     for (long i = 0; i < 3; ++i) {
       const double slopes = std::fabs(slope[0][i]) + std::fabs(slope[1][i]);
-      remainder = std::max(remainder, slopes * (offset_error + contraction * distance) +
-                                          (change(i, 0) + change(i, 1)) * distance + 0.125 * change_a[i] + ends);
+      remainder =
+          std::max(remainder, slopes * (offset_error + contraction * distance) +
+                                  (change.plain(i, 0) + change.plain(i, 1)) * distance + 0.125 * change_a[i] + ends);
     }
     return 0.125 * (sag.norm() + rounding * bend.norm()) + 1.74 * remainder;
+  }
+
+  /// Bounds how much the Jacobian matrix, in units of the parameters, changes from `here` to points within `reach`.
+  struct JacobianChange {
+    Eigen::Matrix<double, 3, 4> plain;
+    /// Of its product with the inverse: where the patches are nearly tangent a column changes mostly along itself,
+    /// which the product of absolute values does not tell.
+    Matrix4d solved;
+  };
+
+  /// By the second derivatives at `here` and bounds of the third; `error` bounds those of points, times steepness.
+  JacobianChange change_of_jacobian(const Difference& here, const Vector4d& unit, const Vector4d& reach,
+                                    const Matrix4d& inverse, const Vector4d& error) const {
+    const Eigen::Matrix<double, 4, 3> solve = inverse.leftCols<3>();
+    const Vector4d moved = reach.cwiseProduct(unit);
+    const Vector4d steepness = steepness_of();
+    JacobianChange change;
+    for (long own = 0; own < 4; own += 2) {
+      const auto& second = own == 0 ? here.first.second : here.second.second;
+      const auto& third = own == 0 ? a_.third : b_.third;
+      const double p = moved[own];
+      const double q = moved[own + 1];
+      for (long k = 0; k < 2; ++k) {
+        const auto order = static_cast<std::size_t>(k);
+        const double own_unit = unit[own + k];
+        const Eigen::Vector3d by_p = vector_of(second[order]) * (p * own_unit);
+        const Eigen::Vector3d by_q = vector_of(second[order + 1]) * (q * own_unit);
+        const Array4d rest =
+            (third[order] * (p * p) + third[order + 1] * (2 * p * q) + third[order + 2] * (q * q)) * (0.5 * own_unit);
+        const double rounded = 2 * own_unit * error[own + k] * (steepness[own] * p + steepness[own + 1] * q);
+        const Eigen::Vector3d bound = vector_of(rest) + Eigen::Vector3d::Constant(rounded);
+        change.plain.col(own + k) = by_p.cwiseAbs() + by_q.cwiseAbs() + bound;
+        change.solved.col(own + k) = (solve * by_p).cwiseAbs() + (solve * by_q).cwiseAbs() + solve.cwiseAbs() * bound;
+      }
+    }
+    return change;
   }
 
   /// By how much derivatives by each parameter multiply errors of points.

@@ -286,8 +286,8 @@ class BorderSearch {
   static double error_of_determinant(const Eigen::Matrix3d& columns, const Eigen::Vector3d& error) {
     const auto cross = [&](long i, long j) { return columns.col(i).cross(columns.col(j)).norm(); };
     const auto length = [&](long i) { return columns.col(i).norm() + error[i]; };
-    return error[0] * cross(1, 2) + error[1] * cross(0, 2) + error[2] * cross(0, 1) +
-           error[0] * error[1] * length(2) + error[0] * error[2] * length(1) + error[1] * error[2] * length(0) +
+    return error[0] * cross(1, 2) + error[1] * cross(0, 2) + error[2] * cross(0, 1) + error[0] * error[1] * length(2) +
+           error[0] * error[2] * length(1) + error[1] * error[2] * length(0) +
            16 * unit_roundoff * length(0) * length(1) * length(2);
   }
 

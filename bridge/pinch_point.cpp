@@ -155,7 +155,7 @@ class DividedDifference {
   double reach(double length, const std::array<double, 2>& zero_error) const {
     // The derivative of x and m by k is -1/2 the bend, solved for with the whole matrix.
     const Vector3d speed = bound_of(0.5 * Vector3d(bend_[0].magnitude(), bend_[1].magnitude(), bend_[2].magnitude()));
-    const double by_e = length * (0.5 + speed[0]) + zero_error[0];
+    const double by_e = length * speed[0] + zero_error[0];
     const double by_f = length * speed[1] + zero_error[1];
     const Vector3d left = vector_of(middle_.first[0] * e_[0] + middle_.first[1] * e_[1]);
     const DirectionalDerivatives d(net_, frame_of(Matrix3d::Identity()), rectangle_, e_, f_);

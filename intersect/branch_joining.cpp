@@ -203,14 +203,23 @@ class Joining {
     std::swap(open_[i][0], open_[i][1]);
   }
 
-  /// From the start of a piece as far as it goes.
+  /// From a piece as far as it goes, in both directions where both of its ends are open.
   void follow(std::size_t first) {
     used_[first] = true;
     SurfaceComponent curve = std::move(pieces_[first]);
-    const bool may_close = open_[first][0];
+    const bool from_inside = open_[first][0];
+    if (open_[first][1]) extend(curve, from_inside);
+    if (from_inside && curve.kind == SurfaceComponentKind::curve) {
+      reverse(curve);
+      extend(curve, false);
+    }
+    rest_.push_back(std::move(curve));
+  }
+
+  /// From its end, which is open.
+  void extend(SurfaceComponent& curve, bool may_close) {
     const Parameters begin = curve.points.front().parameters;
-    bool open = open_[first][1];
-    while (open) {
+    for (bool open = true; open;) {
       const Parameters at = curve.points.back().parameters;
       const auto next = continuation(at);
       if (!next) {
@@ -220,7 +229,7 @@ class Joining {
         } else {
           leave_unjoined(curve, curve.end);
         }
-        break;
+        return;
       }
       SurfaceComponent& piece = pieces_[*next];
       used_[*next] = true;
@@ -232,8 +241,6 @@ class Joining {
       if (!piece.certified && curve.certified) curve.reason = piece.reason;
       curve.certified = curve.certified && piece.certified;
     }
-    if (may_close && curve.kind == SurfaceComponentKind::curve) leave_unjoined(curve, curve.start);
-    rest_.push_back(std::move(curve));
   }
 
   static void leave_unjoined(SurfaceComponent& curve, BranchEnd& end) {
