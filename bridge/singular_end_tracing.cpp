@@ -131,6 +131,12 @@ TracedArc contact_arc(const PatchPairNets& nets, const CrossingPoint& from, cons
   return arc;
 }
 
+std::optional<ZoomedPatches> zoom_to(const PatchPairNets& nets, const PinchPoint& pinch, double half) {
+  const symbolic::Rational u = exactly(pinch.parameters[0]);
+  const symbolic::Rational v = exactly(pinch.parameters[1]);
+  return ZoomedPatches::around(nets, {u, v, u, v}, half);
+}
+
 TracedArc pinch_arc(const PatchPairNets& nets, const std::array<double, 4>& from, const PinchPoint& pinch,
                     const ParameterRectangle& rectangle, double tolerance, const Context& context) {
   const auto chord_error = [](const ControlNet& net, const PinchPoint& at) {
@@ -138,15 +144,17 @@ TracedArc pinch_arc(const PatchPairNets& nets, const std::array<double, 4>& from
   };
   const auto half = zoom_for(0x1p-6, tolerance, chord_error(nets.first, pinch));
   if (!half) return {};
-  const auto& [u, v] = pinch.parameters;
-  const symbolic::Rational exact_u = exactly(u);
-  const symbolic::Rational exact_v = exactly(v);
-  const auto zoomed = ZoomedPatches::around(nets, {exact_u, exact_v, exact_u, exact_v}, *half);
-  if (!zoomed) return {};
-  const PatchPairNets local = zoomed->nets();
+  std::optional<ZoomedPatches> zoomed;
   // There its place is known better.
-  const auto close = pinch_point_in(local.first, {{0.25, 0.25}, {0.75, 0.75}});
+  std::optional<PinchPoint> close;
+  constexpr double least = 0x1p-40;
+  for (double size = *half; !close && size > least; size *= 0.5) {
+    zoomed = zoom_to(nets, pinch, size);
+    if (!zoomed) return {};
+    close = pinch_point_in(zoomed->nets().first, {{0.25, 0.25}, {0.75, 0.75}});
+  }
   if (!close) return {};
+  const PatchPairNets local = zoomed->nets();
   const auto chord = last_chord(0.0625, tolerance, chord_error(local.first, *close));
   if (!chord) return {};
   TracedPoint end;

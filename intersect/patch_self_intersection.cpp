@@ -28,6 +28,16 @@ bool touch(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle
   return true;
 }
 
+/// Whether the gap between both is small against them.
+bool are_close(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
+  constexpr double part = 0.0625;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double gap = std::max(a.lower[k] - b.upper[k], b.lower[k] - a.upper[k]);
+    if (gap > part * std::max(a.upper[k] - a.lower[k], b.upper[k] - b.lower[k])) return false;
+  }
+  return true;
+}
+
 bridge::ParameterRectangle hull(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
   bridge::ParameterRectangle result;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -82,13 +92,14 @@ class PatchWithItself {
     std::vector<PartPair> touching{{0, 0}};
     constexpr int most_levels = 12;
     constexpr std::size_t most_pairs = 30000;
+    constexpr int most_cuts = 4;
     for (int level = 0; level < most_levels && !touching.empty() && touching.size() < most_pairs; ++level) {
       std::vector<PartPair> folded;
       for (const PartPair& pair : touching) {
         const PatchPart& a = first_.part(pair.first);
         const PatchPart& b = second_.part(pair.second);
         if (!touch(a.rectangle, b.rectangle))
-          separated_.push_back(pair);
+          separate_further(net, pair, most_cuts);
         else if (!bridge::is_injective_on(net, hull(a.rectangle, b.rectangle)))
           folded.push_back(pair);
       }
@@ -103,6 +114,25 @@ class PatchWithItself {
           for (const std::size_t j : second_.children(pair.second)) touching.push_back({i, j});
       context_.checkpoint("looking for parts without self-intersection");
     }
+  }
+
+  /// A pair that does not touch. With a small gap both are nearly one part of the surface, which many cells would have
+  /// to tell apart: injective, or better cut again.
+  void separate_further(const bridge::ControlNet& net, const PartPair& pair, int levels) {
+    const bridge::ParameterRectangle a = first_.part(pair.first).rectangle;
+    const bridge::ParameterRectangle b = second_.part(pair.second).rectangle;
+    if (apart(first_.part(pair.first), second_.part(pair.second))) return;
+    if (!are_close(a, b)) {
+      separated_.push_back(pair);
+      return;
+    }
+    if (bridge::is_injective_on(net, hull(a, b))) return;
+    if (levels == 0) {
+      separated_.push_back(pair);
+      return;
+    }
+    for (const std::size_t i : first_.children(pair.first))
+      for (const std::size_t j : second_.children(pair.second)) separate_further(net, {i, j}, levels - 1);
   }
 
   /// The hull of both parts, for both preimages.
@@ -143,7 +173,6 @@ class PatchWithItself {
     std::size_t undecided = 0;
     for (const PartPair& pair : separated_) {
       if (result_.limit) return;
-      if (apart(first_.part(pair.first), second_.part(pair.second))) continue;
       SurfaceResult part = intersect_patches(first_.net(pair.first), second_.net(pair.second), tolerance, context_);
       if (part.status == Status::numeric) ++undecided;
       append(result_, std::move(part));
