@@ -86,12 +86,12 @@ std::optional<DerivativeBounds> PatchJets::bounds_on(double a0, double a1, doubl
   if (!net_.polynomial) shift = points[points.size() / 2] / points[points.size() / 2][3];
   shift[3] = 0;
   for (Array4d& point : points) point -= net_.polynomial ? shift : Array4d(shift * point[3]);
-  const auto largest = [&](std::size_t p, std::size_t q) { return largest_derivative(points, p, q, a1 - a0, b1 - b0); };
+  const std::array<std::array<Array4d, 4>, 4> largest = largest_derivatives(std::move(points), a1 - a0, b1 - b0);
   DerivativeBounds bounds;
-  for (std::size_t k = 0; k < 2; ++k) bounds.first[k] = largest(1 - k, k);
-  for (std::size_t k = 0; k < 3; ++k) bounds.second[k] = largest(2 - k, k);
-  for (std::size_t k = 0; k < 4; ++k) bounds.third[k] = largest(3 - k, k);
-  if (!net_.polynomial) divide_bounds_by_weight(bounds, largest(0, 0), least);
+  for (std::size_t k = 0; k < 2; ++k) bounds.first[k] = largest[1 - k][k];
+  for (std::size_t k = 0; k < 3; ++k) bounds.second[k] = largest[2 - k][k];
+  for (std::size_t k = 0; k < 4; ++k) bounds.third[k] = largest[3 - k][k];
+  if (!net_.polynomial) divide_bounds_by_weight(bounds, largest[0][0], least);
   return bounds;
 }
 
@@ -108,34 +108,44 @@ Array4d PatchJets::divide_by_weight(Value& value) const {
   return (error_ + value.point.abs() * error_[3]) * std::fabs(inverse) * 1.001 + 4 * unit_roundoff * value.point.abs();
 }
 
-/// Of order (p, q), from the differences of control points.
-Array4d PatchJets::largest_derivative(std::vector<Array4d> points, std::size_t p, std::size_t q, double width_a,
-                                      double width_b) const {
+/// Of all orders (p, q) with p + q at most 3, from the differences of control points.
+std::array<std::array<Array4d, 4>, 4> PatchJets::largest_derivatives(std::vector<Array4d> points, double width_a,
+                                                                     double width_b) const {
   const std::size_t m = shape_.degree[0];
   const std::size_t n = shape_.degree[1];
-  if (p > m || q > n) return Array4d::Zero();
-  double factor = 1;
-  for (std::size_t k = 0; k < p; ++k) {
-    factor *= static_cast<double>(m - k) / width_a;
-    for (std::size_t i = 0; i + k < m; ++i)
-      for (std::size_t j = 0; j <= n; ++j)
-        points[i * (n + 1) + j] = points[(i + 1) * (n + 1) + j] - points[i * (n + 1) + j];
-  }
-  for (std::size_t k = 0; k < q; ++k) {
-    factor *= static_cast<double>(n - k) / width_b;
-    for (std::size_t i = 0; i + p <= m; ++i)
-      for (std::size_t j = 0; j + k < n; ++j)
-        points[i * (n + 1) + j] = points[i * (n + 1) + j + 1] - points[i * (n + 1) + j];
-  }
-  Array4d largest = Array4d::Zero();
+  const std::size_t row = n + 1;
   Array4d size = Array4d::Zero();
   for (const Array4d& point : net_.points) size = size.max(point.abs());
-  for (std::size_t i = 0; i + p <= m; ++i)
-    for (std::size_t j = 0; j + q <= n; ++j) largest = largest.max(points[i * (n + 1) + j].abs());
-  // What the restriction has rounded, and that of the differences.
-  constexpr double slack = 1.001;
-  const double roundings = 64 * static_cast<double>(m + n) * unit_roundoff * static_cast<double>(1U << (p + q));
-  return slack * factor * (largest + roundings * size + net_.error * static_cast<double>(1U << (p + q)));
+  std::array<std::array<Array4d, 4>, 4> result;
+  for (auto& of_order : result) of_order.fill(Array4d::Zero());
+  std::vector<Array4d> differences;
+  double factor_a = 1;
+  constexpr std::size_t order = 3;
+  for (std::size_t p = 0; p <= std::min(order, m); ++p) {
+    if (p > 0) {
+      factor_a *= static_cast<double>(m + 1 - p) / width_a;
+      for (std::size_t i = 0; i + p <= m; ++i)
+        for (std::size_t j = 0; j <= n; ++j) points[i * row + j] = points[(i + 1) * row + j] - points[i * row + j];
+    }
+    differences = points;
+    double factor = factor_a;
+    for (std::size_t q = 0; q <= std::min(order - p, n); ++q) {
+      Array4d largest = Array4d::Zero();
+      if (q > 0) factor *= static_cast<double>(n + 1 - q) / width_b;
+      for (std::size_t i = 0; i + p <= m; ++i)
+        for (std::size_t j = 0; j + q <= n; ++j) {
+          Array4d& point = differences[i * row + j];
+          if (q > 0) point = differences[i * row + j + 1] - point;
+          largest = largest.max(point.abs());
+        }
+      // What the restriction has rounded, and that of the differences.
+      constexpr double slack = 1.001;
+      const double parts = static_cast<double>(1U << (p + q));
+      const double roundings = 64 * static_cast<double>(m + n) * unit_roundoff * parts;
+      result[p][q] = slack * factor * (largest + roundings * size + net_.error * parts);
+    }
+  }
+  return result;
 }
 
 std::optional<ContactFrame> tangent_frame(const PatchJets::Value& at) {

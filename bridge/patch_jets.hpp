@@ -49,8 +49,8 @@ class PatchJets {
 
  private:
   Array4d divide_by_weight(Value& value) const;
-  Array4d largest_derivative(std::vector<Array4d> points, std::size_t p, std::size_t q, double width_a,
-                             double width_b) const;
+  std::array<std::array<Array4d, 4>, 4> largest_derivatives(std::vector<Array4d> points, double width_a,
+                                                            double width_b) const;
 
   const ControlNet& net_;
   NetShape<2> shape_;

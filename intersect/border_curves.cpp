@@ -51,8 +51,16 @@ std::vector<std::array<double, 2>> BorderCurves::contained(std::size_t axis, int
   return result;
 }
 
-std::vector<std::array<double, 2>> BorderCurves::meetings(std::size_t first_axis, int first_side,
-                                                          std::size_t second_axis, int second_side) const {
+const std::vector<std::array<double, 2>>& BorderCurves::meetings(std::size_t first_axis, int first_side,
+                                                                 std::size_t second_axis, int second_side) {
+  const PairOfBorders borders{first_axis, first_side, second_axis, second_side};
+  const auto known = known_.find(borders);
+  if (known != known_.end()) return known->second;
+  return known_.emplace(borders, intersect(borders)).first->second;
+}
+
+std::vector<std::array<double, 2>> BorderCurves::intersect(const PairOfBorders& borders) const {
+  const auto& [first_axis, first_side, second_axis, second_side] = borders;
   std::vector<std::array<double, 2>> result;
   CurveResult found;
   try {

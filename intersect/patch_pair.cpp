@@ -102,7 +102,12 @@ class PatchPair {
       balance(net, k % 2, exponent);
       balance_[k] = std::ldexp(1.0, static_cast<int>(exponent));
     }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const symbolic::Interval& side = k < 2 ? first_.domain[k] : second_.domain[k - 2];
+      bounds_[k] = {nearest(side.lower), nearest(side.upper)};
+    }
     origin_ = first_.origin();
+    for (std::size_t k = 0; k < 3; ++k) rounded_origin_[k] = nearest(origin_[k]);
     auto first = first_.rounded(origin_);
     auto second = second_.rounded(origin_);
     if (!first || !second) {
@@ -115,7 +120,7 @@ class PatchPair {
   }
 
   void solve() {
-    const BorderCurves borders(first_.exact, second_.exact, context_);
+    BorderCurves borders(first_.exact, second_.exact, context_);
     const bridge::BorderPoints border = bridge::patch_border_points(
         first_net_, second_net_, first_.exact, second_.exact,
         [&](std::size_t a, int a_side, std::size_t b, int b_side) { return borders.meetings(a, a_side, b, b_side); },
@@ -148,9 +153,7 @@ class PatchPair {
   }
 
   double to_domain(std::size_t k, double local) const {
-    const symbolic::Interval& side = k < 2 ? first_.domain[k] : second_.domain[k - 2];
-    const double lower = nearest(side.lower);
-    const double upper = nearest(side.upper);
+    const auto& [lower, upper] = bounds_[k];
     const double c = balance_[k];
     const double place = c == 1 ? local : c * local / ((1 - local) + c * local);
     return place == 1 ? upper : lower + place * (upper - lower);
@@ -159,7 +162,7 @@ class PatchPair {
   SurfacePoint placed(const std::array<double, 4>& parameters, const std::array<double, 3>& point) const {
     SurfacePoint result;
     for (std::size_t k = 0; k < 4; ++k) result.parameters[k] = to_domain(k, parameters[k]);
-    for (std::size_t k = 0; k < 3; ++k) result.point[k] = point[k] + nearest(origin_[k]);
+    for (std::size_t k = 0; k < 3; ++k) result.point[k] = point[k] + rounded_origin_[k];
     return result;
   }
 
@@ -384,7 +387,7 @@ class PatchPair {
     double largest = 0;
     for (const SurfacePoint& point : component.points)
       for (const double x : point.point) largest = std::max(largest, std::fabs(x));
-    for (const Rational& x : origin_) largest = std::max(largest, std::fabs(nearest(x)));
+    for (const double x : rounded_origin_) largest = std::max(largest, std::fabs(x));
     return 4 * largest * 0x1p-53;
   }
 
@@ -436,6 +439,9 @@ class PatchPair {
   double tolerance_;
   const Context& context_;
   std::array<Rational, 3> origin_;
+  std::array<double, 3> rounded_origin_{};
+  /// Of u, v, s, t.
+  std::array<std::array<double, 2>, 4> bounds_{};
   /// Of u, v, s, t: parameters of the nets are those of the patches with u / (1 - u) divided by that.
   std::array<double, 4> balance_{1, 1, 1, 1};
   ControlNet first_net_;
