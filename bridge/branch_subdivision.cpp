@@ -8,6 +8,7 @@
 
 #include <eliminant/bridge/bernstein_subdivision.hpp>
 #include <eliminant/bridge/surface_cell.hpp>
+#include <eliminant/bridge/tangential_elimination.hpp>
 
 namespace eliminant::bridge {
 
@@ -31,7 +32,12 @@ class Subdivision {
  public:
   Subdivision(const ControlNet& first, const ControlNet& second, std::vector<ContainedBorder> contained,
               const SurfaceContactProver* contacts, const BranchLimits& limits, const Context& context)
-      : contained_(std::move(contained)), contacts_(contacts), limits_(limits), context_(context) {
+      : first_(first),
+        second_(second),
+        contained_(std::move(contained)),
+        contacts_(contacts),
+        limits_(limits),
+        context_(context) {
     std::copy(first.degrees.begin(), first.degrees.end(), test_.first.shape.degree.begin());
     std::copy(second.degrees.begin(), second.degrees.end(), test_.second.shape.degree.begin());
     test_.first.polynomial = first.polynomial;
@@ -96,6 +102,10 @@ class Subdivision {
       stack_.pop_back();
       return;
     }
+    if (!verdict.excluded && !verdict.regular && is_gap(cell, widest)) {
+      stack_.pop_back();
+      return;
+    }
     // Points on its sides contradict an excluded cell, or a regular one with a single point: the intersection touches.
     if (widest < limits_.smallest_width || verdict.excluded || (verdict.regular && cell.points.size() == 1)) {
       leave_open(cell);
@@ -157,6 +167,14 @@ class Subdivision {
     load(cell);
     bound(test_.first);
     bound(test_.second);
+  }
+
+  /// True when nearly parallel parts are proven to keep a distance; asked where subdivision takes long.
+  bool is_gap(const Cell& cell, double widest) const {
+    constexpr unsigned long long_run = 400;
+    constexpr double small = 0.0625;
+    if (graph_.cells < long_run || !cell.points.empty() || !(widest < small)) return false;
+    return keep_distance(first_, second_, box_of(cell));
   }
 
   /// True when a contact is in the cell, and all of the intersection there is its arcs.
@@ -365,6 +383,8 @@ class Subdivision {
     return curve;
   }
 
+  const ControlNet& first_;
+  const ControlNet& second_;
   std::vector<ContainedBorder> contained_;
   const SurfaceContactProver* contacts_;
   const BranchLimits& limits_;

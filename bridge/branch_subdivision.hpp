@@ -60,7 +60,7 @@ struct BranchLimits {
   /// Boxes narrower than this in every parameter are left open.
   double smallest_width = 0x1p-20;
   std::size_t most_open = 64;
-  unsigned long most_cells = 200000;
+  unsigned long most_cells = 400000;
 };
 
 /// The real intersection of two tensor-product patches on [0, 1]^2, in hardware doubles with a bound on every rounding.

@@ -8,10 +8,10 @@
 #include <Eigen/LU>
 
 #include <eliminant/bridge/double_interval.hpp>
-#include <eliminant/bridge/enclosed_patch.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/bridge/simple_fraction.hpp>
+#include <eliminant/bridge/tangential_elimination.hpp>
 #include <eliminant/bridge/taylor_tables.hpp>
 
 namespace eliminant::bridge {
@@ -25,18 +25,6 @@ using symbolic::Rational;
 constexpr std::size_t weight = 3;
 
 Vector3d vector_of(const Array4d& a) { return {a[0], a[1], a[2]}; }
-
-/// A symmetric matrix of order 2.
-struct Hessian {
-  DoubleInterval uu;
-  DoubleInterval uv;
-  DoubleInterval vv;
-
-  DoubleInterval form(const std::array<double, 2>& a, const std::array<double, 2>& b) const {
-    return uu * DoubleInterval(a[0] * b[0]) + uv * DoubleInterval(a[0] * b[1] + a[1] * b[0]) +
-           vv * DoubleInterval(a[1] * b[1]);
-  }
-};
 
 double middle(const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); }
 
@@ -164,81 +152,11 @@ bool SurfaceContactProver::is_contact(const std::array<Rational, 4>& parameters)
 
 std::optional<ContactNeighbourhood> SurfaceContactProver::neighbourhood(const SurfaceContact& contact,
                                                                         const CellBox& box) const {
-  const PatchJets::Value a0 = PatchJets(first_).at(contact.rounded[0], contact.rounded[1]);
-  const PatchJets::Value b0 = PatchJets(second_).at(contact.rounded[2], contact.rounded[3]);
-  const auto frame = tangent_frame(a0);
-  if (!frame) return std::nullopt;
-  const EnclosedPatch a(
-      taylor_on_box(first_, *frame, {{box.lower[0], box.lower[1], 0}, {box.upper[0], box.upper[1], 0}}, 0, 2));
-  // The parameters (s, t) by (u, v), to first order: the inverse of the derivative along the tangent plane.
-  const auto along_plane = [&](const Array4d& d, long row) {
-    return d[0] * frame->columns[0][row] + d[1] * frame->columns[1][row] + d[2] * frame->columns[2][row];
-  };
-  Eigen::Matrix2d derivative;
-  for (long row = 0; row < 2; ++row)
-    for (long k = 0; k < 2; ++k) derivative(row, k) = along_plane(b0.first[static_cast<std::size_t>(k)], row);
-  const Eigen::Matrix2d inverse = derivative.inverse();
-  if (!inverse.allFinite()) return std::nullopt;
-  // A box for (s, t) that holds the cell and all values of that function.
-  const double extent_u = a.value[0].magnitude();
-  const double extent_v = a.value[1].magnitude();
-  OpenBox of_second{};
-  std::array<double, 2> half{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto row = static_cast<long>(k);
-    half[k] = 1.6 * (std::fabs(inverse(row, 0)) * extent_u + std::fabs(inverse(row, 1)) * extent_v);
-    of_second.lower[k] = std::min(box.lower[2 + k], contact.rounded[2 + k] - half[k]);
-    of_second.upper[k] = std::max(box.upper[2 + k], contact.rounded[2 + k] + half[k]);
-    // Control points tell little far beyond the domain.
-    constexpr double beyond = 0.25;
-    if (of_second.lower[k] < -beyond || of_second.upper[k] > 1 + beyond) return std::nullopt;
-  }
-  const EnclosedPatch b(taylor_on_box(second_, *frame, of_second, 0, 2));
-
-  // In parameters of the second in which its derivative along the plane is near the identity.
-  std::array<EnclosedPatch::Point, 2> slope;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (std::size_t c = 0; c < 3; ++c)
-      slope[k][c] = b.first[0][c] * DoubleInterval(inverse(0, static_cast<long>(k))) +
-                    b.first[1][c] * DoubleInterval(inverse(1, static_cast<long>(k)));
-  double contraction = 0;
-  for (std::size_t c = 0; c < 2; ++c) {
-    double sum = 0;
-    for (std::size_t k = 0; k < 2; ++k) sum += (slope[k][c] - DoubleInterval(c == k ? 1 : 0)).magnitude();
-    contraction = std::max(contraction, sum);
-  }
-  constexpr double at_most = 0.3;
-  if (!(contraction < at_most)) return std::nullopt;
-  const DoubleInterval determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
-  const std::array<std::array<DoubleInterval, 2>, 2> solve{{{slope[1][1] / determinant, -slope[1][0] / determinant},
-                                                            {-slope[0][1] / determinant, slope[0][0] / determinant}}};
-  // The normal of the second with its last component 1.
-  const std::array<DoubleInterval, 3> normal{-(slope[0][2] * solve[0][0] + slope[1][2] * solve[1][0]),
-                                             -(slope[0][2] * solve[0][1] + slope[1][2] * solve[1][1]),
-                                             DoubleInterval(1)};
-  // How (s, t) follow u and v.
-  std::array<std::array<DoubleInterval, 2>, 2> follow;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const DoubleInterval p = solve[0][0] * a.first[i][0] + solve[0][1] * a.first[i][1];
-    const DoubleInterval q = solve[1][0] * a.first[i][0] + solve[1][1] * a.first[i][1];
-    for (std::size_t k = 0; k < 2; ++k)
-      follow[i][k] =
-          DoubleInterval(inverse(static_cast<long>(k), 0)) * p + DoubleInterval(inverse(static_cast<long>(k), 1)) * q;
-  }
-  const auto entry = [&](std::size_t i, std::size_t j) {
-    DoubleInterval sum(0);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const DoubleInterval bend = b.second[0][c] * follow[i][0] * follow[j][0] +
-                                  b.second[1][c] * (follow[i][0] * follow[j][1] + follow[i][1] * follow[j][0]) +
-                                  b.second[2][c] * follow[i][1] * follow[j][1];
-      sum = sum + normal[c] * (a.second[i + j][c] - bend);
-    }
-    return sum;
-  };
-  const Hessian hessian{entry(0, 0), entry(0, 1), entry(1, 1)};
+  const auto elimination = TangentialElimination::on(first_, second_, contact.rounded, box);
+  if (!elimination) return std::nullopt;
+  const Hessian& hessian = elimination->hessian;
   ContactNeighbourhood result;
-  const DoubleInterval definite = hessian.uu * hessian.vv - hessian.uv * hessian.uv;
-  if (definite.lower > 0) return result;
+  if (hessian.determinant().lower > 0) return result;
 
   result.crossing = true;
   result.directions = asymptotic_directions(middle(hessian.uu), middle(hessian.uv), middle(hessian.vv));
