@@ -125,36 +125,62 @@ bool rounded(const BallVector& values, long exponent, std::array<Coordinate, 3>&
   return true;
 }
 
-/// The printed number, exactly.
-ComplexBall as_printed(const Coordinate& coordinate, long exponent, long precision_bits) {
-  ComplexBall z;
-  const Rational real = bridge::round_to_decimal(coordinate.ball.real(), exponent).to_rational();
-  const Rational imaginary = bridge::round_to_decimal(coordinate.ball.imaginary(), exponent).to_rational();
-  arb_set_fmpq(z.real(), real.get(), precision_bits);
-  arb_set_fmpq(z.imaginary(), imaginary.get(), precision_bits);
-  return z;
+/// A number of Q(i).
+struct ComplexRational {
+  Rational real;
+  Rational imaginary;
+
+  friend ComplexRational operator+(const ComplexRational& a, const ComplexRational& b) {
+    return {a.real + b.real, a.imaginary + b.imaginary};
+  }
+  friend ComplexRational operator-(const ComplexRational& a, const ComplexRational& b) {
+    return {a.real - b.real, a.imaginary - b.imaginary};
+  }
+  friend ComplexRational operator*(const ComplexRational& a, const ComplexRational& b) {
+    return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
+  }
+  bool is_zero() const { return real.is_zero() && imaginary.is_zero(); }
+  ComplexBall ball(long precision_bits) const {
+    ComplexBall z;
+    arb_set_fmpq(z.real(), real.get(), precision_bits);
+    arb_set_fmpq(z.imaginary(), imaginary.get(), precision_bits);
+    return z;
+  }
+};
+
+ComplexRational as_printed(const Coordinate& coordinate, long exponent) {
+  return {bridge::round_to_decimal(coordinate.ball.real(), exponent).to_rational(),
+          bridge::round_to_decimal(coordinate.ball.imaginary(), exponent).to_rational()};
+}
+
+ComplexRational squared_length(const std::array<ComplexRational, 3>& v) {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
 /// CylinderSolution::residual_exponent.
-std::optional<long> residual_exponent(const Points& points, const CylinderSolution& solution, long precision_bits) {
-  BallVector t;
-  BallVector a;
+std::optional<long> residual_exponent(const Points& points, const CylinderSolution& solution) {
+  constexpr long precision_bits = 64;
+  std::array<ComplexRational, 3> t;
+  std::array<ComplexRational, 3> a;
   for (std::size_t i = 0; i < 3; ++i) {
-    t[i] = as_printed(solution.direction[i], solution.direction_error_exponent, precision_bits);
-    a[i] = as_printed(solution.axis_point[i], solution.axis_point_error_exponent, precision_bits);
+    t[i] = as_printed(solution.direction[i], solution.direction_error_exponent);
+    a[i] = as_printed(solution.axis_point[i], solution.axis_point_error_exponent);
   }
-  const ComplexBall r_squared =
-      as_printed(solution.radius_squared, solution.radius_squared_error_exponent, precision_bits);
-  const ComplexBall t_squared = dot_product(t, t, precision_bits);
-  if (acb_contains_zero(t_squared.get()) != 0) return unbounded_residual;
+  const ComplexRational r_squared = as_printed(solution.radius_squared, solution.radius_squared_error_exponent);
+  const ComplexRational t_squared = squared_length(t);
+  if (t_squared.is_zero()) return unbounded_residual;
   bridge::Magnitude largest;
   for (const SpacePoint& point : points) {
-    BallVector d = ball_of(point, precision_bits);
-    for (std::size_t i = 0; i < 3; ++i) acb_sub(d[i].get(), d[i].get(), a[i].get(), precision_bits);
-    const BallVector turned = cross_product(t, d, precision_bits);
-    ComplexBall value = dot_product(turned, turned, precision_bits);
-    acb_div(value.get(), value.get(), t_squared.get(), precision_bits);
-    acb_sub(value.get(), value.get(), r_squared.get(), precision_bits);
+    std::array<ComplexRational, 3> d;
+    for (std::size_t i = 0; i < 3; ++i) d[i] = ComplexRational{point[i], 0} - a[i];
+    std::array<ComplexRational, 3> turned;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      turned[i] = t[j] * d[k] - t[k] * d[j];
+    }
+    ComplexBall value = (squared_length(turned) - r_squared * t_squared).ball(precision_bits);
+    acb_div(value.get(), value.get(), t_squared.ball(precision_bits).get(), precision_bits);
     bridge::Magnitude bound;
     acb_get_mag(bound.get(), value.get());
     mag_max(largest.get(), largest.get(), bound.get());
@@ -251,7 +277,7 @@ std::optional<CylinderSolution> print_cylinder(const Points& points, const Cylin
     solution.radius = rounded(radius, solution.radius_error_exponent);
     if (!solution.radius) return std::nullopt;
   }
-  solution.residual_exponent = residual_exponent(points, solution, precision_bits);
+  solution.residual_exponent = residual_exponent(points, solution);
   return solution;
 }
 
