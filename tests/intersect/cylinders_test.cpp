@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <complex>
 #include <fstream>
 #include <map>
 #include <random>
@@ -167,6 +168,22 @@ TEST_CASE("Cylinders: the first 50 sets to 30 digits") {
         CHECK(near(parse_number(found->axis_point[i].real) - along * parse_number(found->direction[i].real),
                    expected["axis_foot_from_origin"][i], "1e-24"));
     }
+    // Of the others x/z and y/z.
+    const CylindersResult all = cylinders(points, 30);
+    CHECK(all.counts.distinct == all.counts.real + set["nonreal_l_over_n_m_over_n"].size());
+    const auto complex_of = [](const Coordinate& c) {
+      return std::complex<double>(std::stod(c.real), std::stod(c.imaginary));
+    };
+    for (const auto& ratios : set["nonreal_l_over_n_m_over_n"]) {
+      const auto part = [&ratios](std::size_t k) { return std::stod(ratios[k].get<std::string>()); };
+      const std::complex<double> x(part(0), part(1));
+      const std::complex<double> y(part(2), part(3));
+      CHECK(std::any_of(all.solutions.begin(), all.solutions.end(), [&](const CylinderSolution& solution) {
+        const std::complex<double> z = complex_of(solution.direction[2]);
+        return solution.reality == Reality::non_real && std::abs(complex_of(solution.direction[0]) - x * z) < 1e-13 &&
+               std::abs(complex_of(solution.direction[1]) - y * z) < 1e-13;
+      }));
+    }
   }
 }
 
@@ -311,11 +328,13 @@ TEST_CASE("Cylinders: huge, tiny and far-off coordinates") {
 }
 
 TEST_CASE("Cylinders: directions that look the same get digits until they do not") {
-  // The special points seen through a lens: five of the six directions are within 1e-19 of each other's plane.
+  // The special points stretched: six digits do not tell their directions apart.
   Points points = special;
   for (SpacePoint& point : points) point[2] = point[2] * parse_number("1e20");
   const CylindersResult result = cylinders(points, 6);
   check_audit(result);
+  CHECK(std::any_of(result.solutions.begin(), result.solutions.end(),
+                    [](const CylinderSolution& solution) { return solution.direction_error_exponent < -6; }));
   for (std::size_t i = 0; i < result.solutions.size(); ++i)
     for (std::size_t j = i + 1; j < result.solutions.size(); ++j) {
       const std::vector<std::string> a = printed(result.solutions[i]);

@@ -102,6 +102,10 @@ TEST_CASE("Enclosed cylinders: both ways agree on nearly degenerate points") {
     const EnclosedCylinders result = enclosed_real_cylinders(points);
     CHECK(result.status == intersect::Status::certified);
     exact += result.exact ? 1 : 0;
+    for (const EnclosedCylinder& cylinder : result.cylinders) {
+      CHECK(cylinder.direction_error <= 1e-6);
+      CHECK(cylinder.radius_error <= 1e-6 * cylinder.cylinder.radius);
+    }
     Points turned{};
     for (std::size_t k = 0; k < 5; ++k) turned[k] = points[(2 * k + 1) % 5];
     CHECK(enclosed_real_cylinders(turned).cylinders.size() == result.cylinders.size());
