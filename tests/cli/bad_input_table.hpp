@@ -105,7 +105,7 @@ inline std::vector<Row> rows() {
        37, "holds 4 points", "five points"},
       {"six points", "json", "{\"problem\": \"cylinders\",\n\"points\": [[0],[1],[2],[3],[4],[5]]}", invalid, 2, 11,
        "holds 6 points", "five points"},
-      {"points as object", "json", "{\"problem\": \"cylinders\", \"points\": {}}", invalid, 1, 37,
+      {"points as object", "json", "{\"problem\": \"cylinders\", \"points\": {}}", invalid, 1, 36,
        "\"points\" is an object", "five points"},
       {"plane point", "json", "{\"problem\": \"cylinders\",\n\"points\": [[0,0,0],[1,0],[0,1,0],[0,0,1],[1,1,1]]}",
        invalid, 2, 20, "point 2 has 2 numbers", "[x, y, z]"},
