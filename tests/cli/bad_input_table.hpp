@@ -102,7 +102,7 @@ inline std::vector<Row> rows() {
        "not supported by this version", "plane_curves"},
       {"no points", "json", "{\"problem\": \"cylinders\"}", invalid, 1, 1, "\"points\" is missing", "five points"},
       {"four points", "json", "{\"problem\": \"cylinders\", \"points\": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}", invalid, 1,
-       37, "holds 4 points", "five points"},
+       36, "holds 4 points", "five points"},
       {"six points", "json", "{\"problem\": \"cylinders\",\n\"points\": [[0],[1],[2],[3],[4],[5]]}", invalid, 2, 11,
        "holds 6 points", "five points"},
       {"points as object", "json", "{\"problem\": \"cylinders\", \"points\": {}}", invalid, 1, 36,
