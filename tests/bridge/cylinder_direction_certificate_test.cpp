@@ -84,6 +84,10 @@ TEST_CASE("Cylinder directions: numbers out of range prove nothing") {
   CHECK(scaled(0x1p-800));
   CHECK(!scaled(0x1p1020));
   CHECK(!scaled(std::numeric_limits<double>::denorm_min()));
+  // Points that a flat map takes nearly into a plane.
+  Points flat = on_ruling;
+  for (auto& point : flat) point[2] *= 0x1p-300;
+  CHECK(!certified(flat));
   Points points = on_ruling;
   points[2][1] = std::numeric_limits<double>::quiet_NaN();
   CHECK(!certified(points));
