@@ -64,7 +64,8 @@ struct BranchSpline {
 /// A piece of the intersection, as a user wants it: from end to end.
 struct SurfaceComponent {
   SurfaceComponentKind kind = SurfaceComponentKind::curve;
-  /// From start to end; of a loop the last point is the first. Of an overlap: the corners of its outline.
+  /// From start to end; of a loop the last point is the first. Of an overlap: its outline, closed; empty
+  /// where that is the whole of surfaces without domains.
   std::vector<SurfacePoint> points;
   /// Of an arc.
   BranchEnd start;
@@ -124,6 +125,8 @@ struct SurfaceCounts {
 struct SurfaceResult {
   std::string problem = "surface_surface";
   Status status = Status::numeric;
+  /// With `infinite`: of what is listed beside the overlaps.
+  std::optional<Status> rest_status;
   std::optional<std::string> limit;
   SurfaceCounts counts;
   /// Curves first, then loops, points, overlaps; each sorted by the smallest parameters (u, v, s, t) of their points.

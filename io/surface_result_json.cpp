@@ -144,7 +144,7 @@ Json domains_json(const SurfaceDomains& domains) {
 std::string surface_result_json(const intersect::SurfaceResult& result, const SurfaceDomains& domains,
                                 const std::optional<ProblemId>& id, bool equation) {
   const bool itself = result.problem == "self_intersection";
-  Json out = result_heading(result.problem, id, result.status, {}, result.limit);
+  Json out = result_heading(result.problem, id, result.status, result.rest_status, result.limit);
   out["counts"] = {{"curves", result.counts.curves},     {"loops", result.counts.loops},
                    {"points", result.counts.points},     {"overlaps", result.counts.overlaps},
                    {"singular", result.counts.singular}, {"excluded", result.counts.excluded}};
