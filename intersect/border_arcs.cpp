@@ -68,8 +68,7 @@ class ArcSearch {
     const symbolic::ParametricSurface other{{patch_of(*nets_[1 - border.axis / 2])}};
     const CurveResult found =
         intersect_curve_surface({symbolic::ParametricCurve{{curve(border)}}, other}, Options(), context_);
-    // Of a curve in the surface the result is infinite, even where nothing of it is in the patch.
-    if (!is_certified(found) || found.status != Status::infinite) return false;
+    if (!is_certified(found)) return false;
     for (const Overlap& part : found.overlap) {
       const auto range = range_of(part.t);
       if (!range) return false;
