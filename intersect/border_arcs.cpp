@@ -6,9 +6,11 @@
 #include <cstddef>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/bridge/point_exclusion.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
-#include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/net_patches.hpp>
+#include <eliminant/intersect/patch_inversion.hpp>
 
 namespace eliminant::intersect {
 
@@ -33,8 +35,7 @@ bool is_certified(const CurveResult& result) {
 struct Border {
   std::size_t axis = 0;
   int side = -1;
-  /// Where it lies in the other patch, and where on its border.
-  std::vector<Range> inside;
+  /// Where it lies on the border of the other patch.
   std::vector<Range> on_border;
   /// Where it meets border curves of the other patch, and its own ends.
   std::vector<double> cuts{0, 1};
@@ -42,15 +43,18 @@ struct Border {
 
 class ArcSearch {
  public:
-  ArcSearch(const bridge::ExactNet& first, const bridge::ExactNet& second, const Context& context)
-      : nets_{&first, &second}, context_(context) {
+  ArcSearch(const PatchNets& first, const PatchNets& second, const Context& context)
+      : nets_{&first.exact, &second.exact},
+        rounded_{&first.rounded, &second.rounded},
+        jets_{bridge::PatchJets(first.rounded), bridge::PatchJets(second.rounded)},
+        context_(context) {
+    for (const Eigen::Array4d& point : first.rounded.points)
+      size_ = std::max(size_, (point / point[3]).head<3>().abs().maxCoeff());
     for (std::size_t axis = 0; axis < 4; ++axis)
-      for (const int side : {-1, 1}) borders_.push_back({axis, side, {}, {}, {0, 1}});
+      for (const int side : {-1, 1}) borders_.push_back({axis, side, {}, {0, 1}});
   }
 
   std::optional<BorderArcs> run() && {
-    for (Border& border : borders_)
-      if (!look_inside(border)) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 4; j < 8; ++j)
         if (!meet(borders_[i], borders_[j])) return std::nullopt;
@@ -64,17 +68,27 @@ class ArcSearch {
     return border_of(*nets_[border.axis / 2], border.axis % 2, border.side);
   }
 
-  bool look_inside(Border& border) {
-    const symbolic::ParametricSurface other{{patch_of(*nets_[1 - border.axis / 2])}};
-    const CurveResult found =
-        intersect_curve_surface({symbolic::ParametricCurve{{curve(border)}}, other}, Options(), context_);
-    if (!is_certified(found)) return false;
-    for (const Overlap& part : found.overlap) {
-      const auto range = range_of(part.t);
-      if (!range) return false;
-      border.inside.push_back(*range);
-    }
-    return true;
+  /// Whether a point of a border curve, which is on no border of the other patch, lies in that: either Newton's method
+  /// leads to parameters well within, or no parameters have the point.
+  std::optional<bool> is_inside(const Border& border, double place) {
+    const std::size_t own = border.axis / 2;
+    std::array<double, 2> at{};
+    at[border.axis % 2] = border.side < 0 ? 0 : 1;
+    at[1 - border.axis % 2] = place;
+    const bridge::PatchJets::Value value = jets_[own].at(at[0], at[1]);
+    const std::array<double, 2> image = nearest_parameters(jets_[1 - own], value.point);
+    const Eigen::Array4d gap = jets_[1 - own].at(image[0], image[1]).point - value.point;
+    constexpr double accuracy = 1e-12;
+    constexpr double margin = 1e-9;
+    if (gap.head<3>().abs().maxCoeff() < accuracy * size_ && std::min(image[0], image[1]) > margin &&
+        std::max(image[0], image[1]) < 1 - margin)
+      return true;
+    bridge::PointBox box;
+    for (std::size_t k = 0; k < 3; ++k)
+      box[k] = bridge::DoubleInterval::around(value.point[static_cast<long>(k)], value.error);
+    box[3] = 1;
+    if (bridge::excludes_point(*rounded_[1 - own], box, context_)) return false;
+    return std::nullopt;
   }
 
   bool meet(Border& a, Border& b) {
@@ -124,13 +138,22 @@ class ArcSearch {
       };
       BorderArc arc{{border.axis, border.side, cuts[i], cuts[i + 1]}, false};
       arc.on_both = std::any_of(border.on_border.begin(), border.on_border.end(), holds);
-      const bool inside = std::any_of(border.inside.begin(), border.inside.end(), holds);
-      if (arc.on_both ? border.axis < 2 : inside) result_.arcs.push_back(arc);
+      if (!arc.on_both) {
+        const auto inside = is_inside(border, place);
+        if (!inside) return false;
+        if (!*inside) continue;
+      } else if (border.axis >= 2) {
+        continue;
+      }
+      result_.arcs.push_back(arc);
     }
     return true;
   }
 
   std::array<const bridge::ExactNet*, 2> nets_;
+  std::array<const bridge::ControlNet*, 2> rounded_;
+  std::array<bridge::PatchJets, 2> jets_;
+  double size_ = 0;
   const Context& context_;
   std::vector<Border> borders_;
   BorderArcs result_;
@@ -138,8 +161,7 @@ class ArcSearch {
 
 }  // namespace
 
-std::optional<BorderArcs> border_arcs(const bridge::ExactNet& first, const bridge::ExactNet& second,
-                                      const Context& context) {
+std::optional<BorderArcs> border_arcs(const PatchNets& first, const PatchNets& second, const Context& context) {
   try {
     return ArcSearch(first, second, context).run();
   } catch (const InvalidInput&) {

@@ -7,7 +7,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/cell_box.hpp>
-#include <eliminant/bridge/control_net.hpp>
+#include <eliminant/intersect/net_patches.hpp>
 
 namespace eliminant::intersect {
 
@@ -27,9 +27,8 @@ struct BorderArcs {
   std::vector<std::array<double, 4>> meetings;
 };
 
-/// By the exact engines: the parts of the eight border curves that lie in the other patch, cut where border curves
-/// meet. nullopt where not everything is certified or two places are nearer than 1e-7.
-std::optional<BorderArcs> border_arcs(const bridge::ExactNet& first, const bridge::ExactNet& second,
-                                      const Context& context);
+/// Border curves are cut where they meet, by the exact engine for two curves, and one point of each part is looked for in
+/// the other patch. nullopt where not everything is certified or two places are nearer than 1e-7.
+std::optional<BorderArcs> border_arcs(const PatchNets& first, const PatchNets& second, const Context& context);
 
 }  // namespace eliminant::intersect

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/bridge/exact_plane.hpp>
 #include <eliminant/bridge/function_net.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/intersect/border_arcs.hpp>
@@ -32,6 +33,17 @@ using Eigen::Array4d;
 using Eigen::Vector3d;
 using symbolic::Polynomial;
 using symbolic::RationalSurface;
+
+/// Of a plane in which both patches lie, of any degree.
+std::optional<Polynomial> common_plane(const ExactNet& first, const ExactNet& second) {
+  std::vector<bridge::ExactPoint> points = first.points;
+  points.insert(points.end(), second.points.begin(), second.points.end());
+  const auto plane = bridge::plane_through(std::move(points));
+  if (!plane) return std::nullopt;
+  Polynomial equation(4);
+  for (std::size_t k = 0; k < 4; ++k) equation = equation + (*plane)[k] * Polynomial::variable(4, k);
+  return equation;
+}
 
 /// The equation of the first surface, if the second satisfies it.
 std::optional<Polynomial> common_equation(const RationalSurface& first, const RationalSurface& second,
@@ -265,17 +277,17 @@ class Outlines {
 
 }  // namespace
 
-std::optional<PatchOverlap> parts_of_common_surface(const ExactNet& exact_first, const ExactNet& exact_second,
-                                                    const bridge::ControlNet& first, const bridge::ControlNet& second,
+std::optional<PatchOverlap> parts_of_common_surface(const PatchNets& first, const PatchNets& second,
                                                     double tolerance, const Context& context) {
-  const symbolic::SurfacePiece a = patch_of(exact_first);
-  const symbolic::SurfacePiece b = patch_of(exact_second);
-  const auto equation = common_equation(a.map, b.map, context);
+  const symbolic::SurfacePiece a = patch_of(first.exact);
+  const symbolic::SurfacePiece b = patch_of(second.exact);
+  auto equation = common_plane(first.exact, second.exact);
+  if (!equation) equation = common_equation(a.map, b.map, context);
   if (!equation || !is_smooth_on(*equation, a.map) || !is_embedded(a, context) || !is_embedded(b, context))
     return std::nullopt;
-  const auto borders = border_arcs(exact_first, exact_second, context);
+  const auto borders = border_arcs(first, second, context);
   if (!borders) return std::nullopt;
-  return Outlines(first, second, tolerance).of(*borders);
+  return Outlines(first.rounded, second.rounded, tolerance).of(*borders);
 }
 
 }  // namespace eliminant::intersect

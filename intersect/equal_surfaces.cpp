@@ -44,7 +44,7 @@ bool overlap_near(const RationalSurface& first, const RationalSurface& second, c
   const auto b_net = b->rounded(origin);
   if (!a_net || !b_net) return false;
   constexpr double rough = 1e-2;
-  const auto overlap = patch_overlap(a->exact, b->exact, *a_net, *b_net, rough * size_of(*a), context);
+  const auto overlap = patch_overlap({a->exact, *a_net}, {b->exact, *b_net}, rough * size_of(*a), context);
   return overlap && !overlap->outlines.empty();
 }
 

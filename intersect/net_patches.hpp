@@ -9,6 +9,12 @@
 
 namespace eliminant::intersect {
 
+/// A patch on [0, 1]^2 exactly and in doubles. Of two patches that are compared both have one origin.
+struct PatchNets {
+  const bridge::ExactNet& exact;
+  const bridge::ControlNet& rounded;
+};
+
 /// A patch of exact control points as a map on [0, 1]^2.
 symbolic::SurfacePiece patch_of(const bridge::ExactNet& net);
 

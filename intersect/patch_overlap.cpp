@@ -22,13 +22,12 @@ PatchOverlap parts_of(const SharedMap& shared, const bridge::ControlNet& first, 
 
 }  // namespace
 
-std::optional<PatchOverlap> patch_overlap(const bridge::ExactNet& exact_first, const bridge::ExactNet& exact_second,
-                                          const bridge::ControlNet& first, const bridge::ControlNet& second,
+std::optional<PatchOverlap> patch_overlap(const PatchNets& first, const PatchNets& second,
                                           double tolerance, const Context& context) {
-  const auto shared = shared_map(exact_first, exact_second, first, second, context);
-  if (shared && shared->embedded) return parts_of(*shared, first, tolerance);
-  if (auto result = parts_of_common_surface(exact_first, exact_second, first, second, tolerance, context)) return result;
-  if (shared && shared->has_area()) return parts_of(*shared, first, tolerance);
+  const auto shared = shared_map(first, second, context);
+  if (shared && shared->embedded) return parts_of(*shared, first.rounded, tolerance);
+  if (auto result = parts_of_common_surface(first, second, tolerance, context)) return result;
+  if (shared && shared->has_area()) return parts_of(*shared, first.rounded, tolerance);
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/intersect/border_arc.hpp>
+#include <eliminant/intersect/net_patches.hpp>
 
 namespace eliminant::intersect {
 
@@ -22,12 +23,10 @@ struct PatchOverlap {
   bool complete = false;
 };
 
-/// Of two patches on [0, 1]^2; `first` and `second` are the exact nets in doubles, with one origin, weights positive.
-/// Two proofs that they are parts of one surface are tried: both are parts of one map (shared_map), or both satisfy one
+/// Of two patches with positive weights. Two proofs that they are parts of one surface are tried: both are parts of one map (shared_map), or both satisfy one
 /// equation of low degree (common_surface). nullopt when neither is found: they may be parts of one surface
 /// nevertheless.
-std::optional<PatchOverlap> patch_overlap(const bridge::ExactNet& exact_first, const bridge::ExactNet& exact_second,
-                                          const bridge::ControlNet& first, const bridge::ControlNet& second,
+std::optional<PatchOverlap> patch_overlap(const PatchNets& first, const PatchNets& second,
                                           double tolerance, const Context& context);
 
 }  // namespace eliminant::intersect

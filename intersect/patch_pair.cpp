@@ -169,7 +169,7 @@ class PatchPair {
   bool settle_common_surface() {
     if (common_surface_asked_) return false;
     common_surface_asked_ = true;
-    const auto overlap = patch_overlap(first_.exact, second_.exact, first_net_, second_net_, tolerance_, context_);
+    const auto overlap = patch_overlap({first_.exact, first_net_}, {second_.exact, second_net_}, tolerance_, context_);
     if (!overlap) return false;
     result_.components.clear();
     result_.singular_points.clear();

@@ -122,16 +122,15 @@ std::vector<std::array<double, 4>> starts(const bridge::ControlNet& first, const
   return result;
 }
 
-std::optional<ParameterChange> recognised(const ExactNet& exact_first, const ExactNet& exact_second,
-                                          const bridge::ControlNet& first, const bridge::ControlNet& second,
+std::optional<ParameterChange> recognised(const PatchNets& first, const PatchNets& second,
                                           const Context& context) {
-  for (const std::array<double, 4>& start : starts(first, second)) {
+  for (const std::array<double, 4>& start : starts(first.rounded, second.rounded)) {
     context.checkpoint("comparing patches");
-    if (auto change = bridge::parameter_change(exact_first, exact_second, start)) return change;
+    if (auto change = bridge::parameter_change(first.exact, second.exact, start)) return change;
   }
   // The common part may be small beside the first patch.
-  for (const std::array<double, 4>& at : starts(second, first))
-    if (auto change = bridge::parameter_change(exact_first, exact_second, {at[2], at[3], at[0], at[1]})) return change;
+  for (const std::array<double, 4>& at : starts(second.rounded, first.rounded))
+    if (auto change = bridge::parameter_change(first.exact, second.exact, {at[2], at[3], at[0], at[1]})) return change;
   return std::nullopt;
 }
 
@@ -251,16 +250,15 @@ bool SharedMap::has_area() const {
                      [](const auto& part) { return part[0].lower < part[0].upper && part[1].lower < part[1].upper; });
 }
 
-std::optional<SharedMap> shared_map(const ExactNet& exact_first, const ExactNet& exact_second,
-                                    const bridge::ControlNet& first, const bridge::ControlNet& second,
+std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& second,
                                     const Context& context) {
-  const auto change = recognised(exact_first, exact_second, first, second, context);
+  const auto change = recognised(first, second, context);
   if (!change) return std::nullopt;
   SharedMap result;
   result.change = *change;
   for (const Interval& u : common_intervals(change->maps[0]))
     for (const Interval& v : common_intervals(change->maps[1])) result.parts.push_back({u, v});
-  result.embedded = is_embedded(exact_first, *change, context);
+  result.embedded = is_embedded(first.exact, *change, context);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/bridge/parameter_change.hpp>
 #include <eliminant/intersect/border_arc.hpp>
+#include <eliminant/intersect/net_patches.hpp>
 #include <eliminant/symbolic/geometry/domain.hpp>
 
 namespace eliminant::intersect {
@@ -28,9 +29,8 @@ struct SharedMap {
 };
 
 /// Whether two patches on [0, 1]^2 are parts of one map by projective changes of each parameter; proven when there is
-/// an answer. nullopt decides nothing. `first` and `second` are the exact nets in doubles, with one origin.
-std::optional<SharedMap> shared_map(const bridge::ExactNet& exact_first, const bridge::ExactNet& exact_second,
-                                    const bridge::ControlNet& first, const bridge::ControlNet& second,
+/// an answer. nullopt decides nothing.
+std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& second,
                                     const Context& context);
 
 /// A part by points in order: along its outline (closed), along the segment, or one point. Chords keep to the
