@@ -256,8 +256,8 @@ std::optional<ParameterChange> parameter_change(const ExactNet& first, const Exa
     std::array<Pair, 3> to{*image, {}, {}};
     for (std::size_t i = 1; i < 3; ++i) {
       Pair next = at;
-      from[i] = next[axis] = at[axis] + (at[axis] < Rational(Integer(1), Integer(2)) ? step : -step) *
-                                            Rational(static_cast<long>(i));
+      from[i] = next[axis] =
+          at[axis] + (at[axis] < Rational(Integer(1), Integer(2)) ? step : -step) * Rational(static_cast<long>(i));
       const auto found = inversion.image(next, to[i - 1]);
       if (!found) return std::nullopt;
       to[i] = *found;

@@ -27,8 +27,8 @@ struct BorderArcs {
   std::vector<std::array<double, 4>> meetings;
 };
 
-/// Border curves are cut where they meet, by the exact engine for two curves, and one point of each part is looked for in
-/// the other patch. nullopt where not everything is certified or two places are nearer than 1e-7.
+/// Border curves are cut where they meet, by the exact engine for two curves, and one point of each part is looked for
+/// in the other patch. nullopt where not everything is certified or two places are nearer than 1e-7.
 std::optional<BorderArcs> border_arcs(const PatchNets& first, const PatchNets& second, const Context& context);
 
 }  // namespace eliminant::intersect

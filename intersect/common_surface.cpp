@@ -121,7 +121,9 @@ void reverse(DrawnCurve& curve) {
 class Outlines {
  public:
   Outlines(const bridge::ControlNet& first, const bridge::ControlNet& second, double tolerance)
-      : first_(first), second_(second), jets_{bridge::PatchJets(first), bridge::PatchJets(second)},
+      : first_(first),
+        second_(second),
+        jets_{bridge::PatchJets(first), bridge::PatchJets(second)},
         tolerance_(tolerance) {}
 
   std::optional<PatchOverlap> of(const BorderArcs& borders) && {
@@ -172,14 +174,13 @@ class Outlines {
   }
 
   static Vector3d vector(const Array4d& a) { return {a[0], a[1], a[2]}; }
-  static Vector3d normal(const bridge::PatchJets::Value& at) {
-    return vector(at.first[0]).cross(vector(at.first[1]));
-  }
+  static Vector3d normal(const bridge::PatchJets::Value& at) { return vector(at.first[0]).cross(vector(at.first[1])); }
   static double cosine(const Vector3d& a, const Vector3d& b) { return a.dot(b) / (a.norm() * b.norm()); }
 
   /// Whether both patches lie on one side of an arc of both borders, within the surface.
-  static std::optional<bool> lie_on_one_side(const bridge::PatchJets::Value& here, const bridge::PatchJets::Value& there,
-                                             std::size_t kept, int side, const std::array<double, 2>& image) {
+  static std::optional<bool> lie_on_one_side(const bridge::PatchJets::Value& here,
+                                             const bridge::PatchJets::Value& there, std::size_t kept, int side,
+                                             const std::array<double, 2>& image) {
     const Vector3d tangent = vector(here.first[1 - kept]).normalized();
     const Vector3d inward = vector(here.first[kept]) * -side;
     constexpr double near = 1e-9;
@@ -187,8 +188,7 @@ class Outlines {
       for (const int end : {-1, 1}) {
         if (std::fabs(image[axis] - (end < 0 ? 0 : 1)) > near) continue;
         const Vector3d other = vector(there.first[axis]) * -end;
-        const double turn =
-            cosine(inward - inward.dot(tangent) * tangent, other - other.dot(tangent) * tangent);
+        const double turn = cosine(inward - inward.dot(tangent) * tangent, other - other.dot(tangent) * tangent);
         constexpr double parallel = 0.99;
         if (!(std::fabs(turn) > parallel)) return std::nullopt;
         return turn > 0;
@@ -277,8 +277,8 @@ class Outlines {
 
 }  // namespace
 
-std::optional<PatchOverlap> parts_of_common_surface(const PatchNets& first, const PatchNets& second,
-                                                    double tolerance, const Context& context) {
+std::optional<PatchOverlap> parts_of_common_surface(const PatchNets& first, const PatchNets& second, double tolerance,
+                                                    const Context& context) {
   const symbolic::SurfacePiece a = patch_of(first.exact);
   const symbolic::SurfacePiece b = patch_of(second.exact);
   auto equation = common_plane(first.exact, second.exact);

@@ -12,7 +12,7 @@ namespace eliminant::intersect {
 /// that each is a disc in S, and what they have in common is bounded by their borders. Which arcs of these lie in the
 /// other patch, or on its border, is decided by the exact engines. nullopt when any of this fails: another surface,
 /// higher degree, a patch that meets itself, a common part that is no disc or touches itself.
-std::optional<PatchOverlap> parts_of_common_surface(const PatchNets& first, const PatchNets& second,
-                                                    double tolerance, const Context& context);
+std::optional<PatchOverlap> parts_of_common_surface(const PatchNets& first, const PatchNets& second, double tolerance,
+                                                    const Context& context);
 
 }  // namespace eliminant::intersect

@@ -56,8 +56,7 @@ std::vector<std::array<Rational, 2>> real_parameters(const RationalSurface& map,
   bool has_first = false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (k == skipped) continue;
-    (has_first ? problem.q : problem.p) =
-        point[3] * map.coordinates()[k] - point[k] * map.coordinates()[3];
+    (has_first ? problem.q : problem.p) = point[3] * map.coordinates()[k] - point[k] * map.coordinates()[3];
     has_first = true;
   }
   std::vector<std::array<Rational, 2>> result;

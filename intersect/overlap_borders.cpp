@@ -76,7 +76,7 @@ void remove_borders_of_overlaps(SurfaceResult& result, const DomainBounds& bound
   std::vector<bool> removed;
   for (const SurfaceComponent& component : result.components)
     removed.push_back(
-        component.tangential && component.kind != SurfaceComponentKind::overlap &&
+        component.kind != SurfaceComponentKind::overlap &&
         std::any_of(outlines.begin(), outlines.end(), [&](const Outline& o) { return lies_on(component, o); }));
   std::size_t index = 0;
   std::erase_if(result.components, [&](const SurfaceComponent&) { return removed[index++]; });

@@ -22,8 +22,8 @@ PatchOverlap parts_of(const SharedMap& shared, const bridge::ControlNet& first, 
 
 }  // namespace
 
-std::optional<PatchOverlap> patch_overlap(const PatchNets& first, const PatchNets& second,
-                                          double tolerance, const Context& context) {
+std::optional<PatchOverlap> patch_overlap(const PatchNets& first, const PatchNets& second, double tolerance,
+                                          const Context& context) {
   const auto shared = shared_map(first, second, context);
   if (shared && shared->embedded) return parts_of(*shared, first.rounded, tolerance);
   if (auto result = parts_of_common_surface(first, second, tolerance, context)) return result;

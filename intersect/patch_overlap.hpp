@@ -23,10 +23,10 @@ struct PatchOverlap {
   bool complete = false;
 };
 
-/// Of two patches with positive weights. Two proofs that they are parts of one surface are tried: both are parts of one map (shared_map), or both satisfy one
-/// equation of low degree (common_surface). nullopt when neither is found: they may be parts of one surface
-/// nevertheless.
-std::optional<PatchOverlap> patch_overlap(const PatchNets& first, const PatchNets& second,
-                                          double tolerance, const Context& context);
+/// Of two patches with positive weights. Two proofs that they are parts of one surface are tried: both are parts of one
+/// map (shared_map), or both satisfy one equation of low degree (common_surface). nullopt when neither is found: they
+/// may be parts of one surface nevertheless.
+std::optional<PatchOverlap> patch_overlap(const PatchNets& first, const PatchNets& second, double tolerance,
+                                          const Context& context);
 
 }  // namespace eliminant::intersect

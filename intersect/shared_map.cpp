@@ -22,9 +22,7 @@ using symbolic::Integer;
 using symbolic::Interval;
 using symbolic::Rational;
 
-bool is_in_unit_interval(const std::optional<Rational>& x) {
-  return x && x->sign() >= 0 && !(Rational(1) < *x);
-}
+bool is_in_unit_interval(const std::optional<Rational>& x) { return x && x->sign() >= 0 && !(Rational(1) < *x); }
 
 /// The parameters in [0, 1] whose values are there, too: at most two intervals, which may be points.
 std::vector<Interval> common_intervals(const ProjectiveMap& map) {
@@ -122,8 +120,7 @@ std::vector<std::array<double, 4>> starts(const bridge::ControlNet& first, const
   return result;
 }
 
-std::optional<ParameterChange> recognised(const PatchNets& first, const PatchNets& second,
-                                          const Context& context) {
+std::optional<ParameterChange> recognised(const PatchNets& first, const PatchNets& second, const Context& context) {
   for (const std::array<double, 4>& start : starts(first.rounded, second.rounded)) {
     context.checkpoint("comparing patches");
     if (auto change = bridge::parameter_change(first.exact, second.exact, start)) return change;
@@ -207,8 +204,8 @@ class Drawing {
   void add_side(std::size_t along, int other_end, bool backwards) {
     const Course& course = courses_[along];
     const double kept = courses_[1 - along].at(other_end);
-    const auto bounds = along == 0 ? bounds_on(course.from, course.to, kept, kept)
-                                   : bounds_on(kept, kept, course.from, course.to);
+    const auto bounds =
+        along == 0 ? bounds_on(course.from, course.to, kept, kept) : bounds_on(kept, kept, course.from, course.to);
     const double length = course.to - course.from;
     const double bend =
         bounds ? bounds->second[along == 0 ? 0 : 2].head<3>().matrix().norm() * length * length : INFINITY;
@@ -250,8 +247,7 @@ bool SharedMap::has_area() const {
                      [](const auto& part) { return part[0].lower < part[0].upper && part[1].lower < part[1].upper; });
 }
 
-std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& second,
-                                    const Context& context) {
+std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& second, const Context& context) {
   const auto change = recognised(first, second, context);
   if (!change) return std::nullopt;
   SharedMap result;
@@ -263,7 +259,7 @@ std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& sec
 }
 
 DrawnCurve drawn_part(const bridge::ControlNet& first, const ParameterChange& change,
-                     const std::array<Interval, 2>& part, double tolerance) {
+                      const std::array<Interval, 2>& part, double tolerance) {
   return Drawing(first, change, part, tolerance).run();
 }
 

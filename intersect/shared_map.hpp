@@ -30,8 +30,7 @@ struct SharedMap {
 
 /// Whether two patches on [0, 1]^2 are parts of one map by projective changes of each parameter; proven when there is
 /// an answer. nullopt decides nothing.
-std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& second,
-                                    const Context& context);
+std::optional<SharedMap> shared_map(const PatchNets& first, const PatchNets& second, const Context& context);
 
 /// A part by points in order: along its outline (closed), along the segment, or one point. Chords keep to the
 /// tolerance, as far as 10^6 points for each side reach.

@@ -106,9 +106,9 @@ void check_pair(const OverlapPair& pair) {
   check_places(result, pair);
   const std::array<Fraction, 2> same{};
   const SurfacePiece swapped = reparametrised(pair.first, same, true);
-  for (const auto& [a, b] : {std::pair(pair.second, pair.first), std::pair(swapped, pair.second),
-                             std::pair(pair.second, swapped),
-                             std::pair(moved_in_space(pair.first), moved_in_space(pair.second))}) {
+  for (const auto& [a, b] :
+       {std::pair(pair.second, pair.first), std::pair(swapped, pair.second), std::pair(pair.second, swapped),
+        std::pair(moved_in_space(pair.first), moved_in_space(pair.second))}) {
     const SurfaceResult other = solved(a, b);
     CHECK(counts_of(other) == pair.counts);
     check_proven(other);
@@ -149,15 +149,15 @@ TEST_CASE("Overlaps: the outline of equal patches is their border, within the to
 TEST_CASE("Overlaps: common borders and corners say on which borders they are, and are tangential") {
   const PatchText text{"u", "v", "u^2 - u*v + v^3"};
   const Sides left{Interval{0, ratio(1, 2)}, Interval{0, 1}};
-  const SurfaceResult border = solved(patch(text, left), patch(text, {Interval{ratio(1, 2), 1}, Interval{ratio(1, 4), 1}}));
+  const SurfaceResult border =
+      solved(patch(text, left), patch(text, {Interval{ratio(1, 2), 1}, Interval{ratio(1, 4), 1}}));
   REQUIRE(border.components.size() == 1);
   const SurfaceComponent& curve = border.components[0];
   CHECK(curve.kind == SurfaceComponentKind::curve);
   CHECK(curve.tangential);
   CHECK(curve.start.side == std::array<int, 4>{1, 0, -1, -1});
   CHECK(curve.end.side == std::array<int, 4>{1, 1, -1, 1});
-  const SurfaceResult corner =
-      solved(patch(text, left), patch(text, {Interval{ratio(1, 2), 1}, Interval{1, 2}}));
+  const SurfaceResult corner = solved(patch(text, left), patch(text, {Interval{ratio(1, 2), 1}, Interval{1, 2}}));
   REQUIRE(corner.components.size() == 1);
   CHECK(corner.components[0].kind == SurfaceComponentKind::point);
   CHECK(corner.components[0].start.side == std::array<int, 4>{1, 1, -1, -1});
@@ -167,7 +167,8 @@ TEST_CASE("Overlaps: parts of a torus, of which a turn is given by other paramet
   const PatchText torus{"(8 + 2*v^2)*(1 - u^2)", "(8 + 2*v^2)*2*u", "6*v*(1 + u^2)", "(1 + u^2)*(1 + v^2)"};
   // u as (1 + u) / (1 - u): a quarter of a turn on.
   const PatchText turned{"-(8 + 2*v^2)*2*u", "(8 + 2*v^2)*(1 - u^2)", "6*v*(1 + u^2)", "(1 + u^2)*(1 + v^2)"};
-  const SurfaceResult result = solved(patch(torus), patch(turned, {Interval{ratio(-1, 2), ratio(1, 2)}, Interval{0, 2}}));
+  const SurfaceResult result =
+      solved(patch(torus), patch(turned, {Interval{ratio(-1, 2), ratio(1, 2)}, Interval{0, 2}}));
   CHECK(counts_of(result) == std::array<unsigned long, 4>{0, 0, 0, 1});
   check_proven(result);
   // (1 + s) / (1 - s) from s = -1/2: u from 1/3 to 1.
