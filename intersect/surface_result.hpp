@@ -98,6 +98,8 @@ struct SurfaceSingularPoint {
   SurfacePoint at;
   /// Bounds the error of each parameter and coordinate.
   double radius = 0;
+  /// Of a triple point, beside the two in `at`.
+  std::optional<std::array<double, 2>> third_preimage;
   /// Half-branches of the real curve there.
   std::size_t half_branches = 0;
   bool certified = false;

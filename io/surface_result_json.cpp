@@ -79,6 +79,9 @@ Json singular_point_json(const SurfaceSingularPoint& point) {
   Json out;
   out["kind"] = word_for(point.kind);
   add_point(out, point.at);
+  if (point.third_preimage)
+    out["third_preimage"] = {known(coordinate_text((*point.third_preimage)[0])),
+                             known(coordinate_text((*point.third_preimage)[1]))};
   out["radius"] = double_text(point.radius);
   out["half_branches"] = point.half_branches;
   out["certified"] = point.certified;
