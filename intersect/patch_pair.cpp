@@ -76,8 +76,12 @@ void balance(PreparedNet& net, std::size_t axis, long exponent) {
 
 class PatchPair {
  public:
-  PatchPair(PreparedNet first, PreparedNet second, double tolerance, const Context& context)
-      : first_(std::move(first)), second_(std::move(second)), tolerance_(tolerance), context_(context) {}
+  PatchPair(PreparedNet first, PreparedNet second, double tolerance, bool parts_of_one, const Context& context)
+      : first_(std::move(first)),
+        second_(std::move(second)),
+        tolerance_(tolerance),
+        context_(context),
+        common_surface_asked_(parts_of_one) {}
 
   SurfaceResult run() && {
     const auto start = std::chrono::steady_clock::now();
@@ -471,8 +475,9 @@ double size_of(const PreparedNet& net) {
   return std::max({upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]});
 }
 
-SurfaceResult intersect_patches(PreparedNet first, PreparedNet second, double tolerance, const Context& context) {
-  return PatchPair(std::move(first), std::move(second), tolerance, context).run();
+SurfaceResult intersect_parts_of_patch(PreparedNet first, PreparedNet second, double tolerance,
+                                       const Context& context) {
+  return PatchPair(std::move(first), std::move(second), tolerance, true, context).run();
 }
 
 SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
@@ -480,7 +485,7 @@ SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbo
   PreparedNet a = prepared_patch(first, "first");
   PreparedNet b = prepared_patch(second, "second");
   const double size = std::min(size_of(a), size_of(b));
-  return intersect_patches(std::move(a), std::move(b), options.tolerance * size, context);
+  return PatchPair(std::move(a), std::move(b), options.tolerance * size, false, context).run();
 }
 
 }  // namespace eliminant::intersect

@@ -151,7 +151,8 @@ class PatchWithItself {
     for (const PartPair& pair : separated_) {
       if (result_.limit) return;
       if (apart(first_.part(pair.first), second_.part(pair.second))) continue;
-      SurfaceResult part = intersect_patches(first_.net(pair.first), second_.net(pair.second), tolerance, context_);
+      SurfaceResult part =
+          intersect_parts_of_patch(first_.net(pair.first), second_.net(pair.second), tolerance, context_);
       if (part.status == Status::numeric) ++undecided;
       append(result_, std::move(part));
       // A surface that covers another part of itself would go on for long.

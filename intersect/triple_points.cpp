@@ -135,8 +135,7 @@ Preimage between(const Preimage& a, const Preimage& b, double place) {
 
 class TripleSearch {
  public:
-  TripleSearch(const symbolic::SurfacePiece& patch, const std::vector<SurfaceComponent>& curves,
-               const Context& context)
+  TripleSearch(const symbolic::SurfacePiece& patch, const std::vector<SurfaceComponent>& curves, const Context& context)
       : patch_(patch), surface_(patch.map), context_(context) {
     for (std::size_t k = 0; k < 2; ++k) {
       const bridge::RealBall width(patch.region->sides[k].upper - patch.region->sides[k].lower, 64);

@@ -28,8 +28,8 @@ SurfaceResult with_itself(const PatchText& text, const Sides& sides, double tole
   return intersect_patch_with_itself(patch(text, sides), options, Context());
 }
 
-/// (b c, c a, a b) with a = u, b = v, c = 1 - u - v: the origin at (1, 0), (0, 1) and (0, 0), where the three coordinate
-/// axes are double lines, each with a pinch point.
+/// (b c, c a, a b) with a = u, b = v, c = 1 - u - v: the origin at (1, 0), (0, 1) and (0, 0), where the three
+/// coordinate axes are double lines, each with a pinch point.
 const PatchText steiner{"v*(1 - u - v)", "u*(1 - u - v)", "u*v"};
 
 }  // namespace
