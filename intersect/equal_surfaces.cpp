@@ -82,6 +82,9 @@ std::vector<std::array<Rational, 2>> real_parameters(const RationalSurface& map,
 bool are_one_surface(const RationalSurface& first, const RationalSurface& second, const Options& options,
                      const Context& context) {
   if (!symbolic::is_two_dimensional(first) || !symbolic::is_two_dimensional(second)) return false;
+  // Beyond that the equation takes longer than the eliminant, which tells it, too.
+  constexpr long largest_degree = 12;
+  if (2 * first.bidegree()[0] * first.bidegree()[1] > largest_degree) return false;
   try {
     return symbolic::have_equal_image(first, second, options.seed, context);
   } catch (const LimitReached&) {
