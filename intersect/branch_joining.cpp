@@ -359,6 +359,11 @@ void append(SurfaceResult& all, SurfaceResult part) {
     if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
       all.warnings.push_back(std::move(warning));
   all.counts.excluded += part.counts.excluded;
+  if (all.status == Status::infinite || part.status == Status::infinite) {
+    const bool certified = all.rest_status.value_or(all.status) == Status::certified &&
+                           part.rest_status.value_or(part.status) == Status::certified;
+    all.rest_status = certified ? Status::certified : Status::numeric;
+  }
   for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
     if (all.status == status || part.status == status) {
       all.status = status;
@@ -373,6 +378,10 @@ void summarise(SurfaceResult& result) {
     if (a.kind != b.kind) return a.kind < b.kind;
     return a.points.front().parameters < b.points.front().parameters;
   });
+  const auto doubt = [&] {
+    if (result.status == Status::certified) result.status = Status::numeric;
+    if (result.rest_status == Status::certified) result.rest_status = Status::numeric;
+  };
   const auto excluded = result.counts.excluded;
   result.counts = {};
   result.counts.excluded = excluded;
@@ -391,10 +400,10 @@ void summarise(SurfaceResult& result) {
         ++result.counts.overlaps;
         break;
     }
-    if (!component.certified && result.status == Status::certified) result.status = Status::numeric;
+    if (!component.certified) doubt();
   }
   for (const SurfaceSingularPoint& point : result.singular_points)
-    if (!point.certified && result.status == Status::certified) result.status = Status::numeric;
+    if (!point.certified) doubt();
   result.counts.singular = result.singular_points.size();
 }
 

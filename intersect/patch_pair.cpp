@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
@@ -14,9 +15,11 @@
 #include <eliminant/bridge/rational_double.hpp>
 #include <eliminant/bridge/singular_end_tracing.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
+#include <eliminant/intersect/border_arc.hpp>
 #include <eliminant/intersect/border_curves.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
+#include <eliminant/intersect/patch_overlap.hpp>
 #include <eliminant/intersect/prepared_net.hpp>
 
 namespace eliminant::intersect {
@@ -69,8 +72,12 @@ void balance(PreparedNet& net, std::size_t axis, long exponent) {
 
 class PatchPair {
  public:
-  PatchPair(PreparedNet first, PreparedNet second, double tolerance, const Context& context)
-      : first_(std::move(first)), second_(std::move(second)), tolerance_(tolerance), context_(context) {}
+  PatchPair(PreparedNet first, PreparedNet second, double tolerance, bool parts_of_one, const Context& context)
+      : first_(std::move(first)),
+        second_(std::move(second)),
+        tolerance_(tolerance),
+        context_(context),
+        common_surface_asked_(parts_of_one) {}
 
   SurfaceResult run() && {
     const auto start = std::chrono::steady_clock::now();
@@ -119,12 +126,28 @@ class PatchPair {
     return true;
   }
 
+  /// Ends the search for border points: both patches are parts of one surface, and everything is known.
+  struct Settled {};
+
   void solve() {
+    try {
+      subdivide();
+      // Parts of one surface may touch in a corner, where no border is in the other.
+      if (result_.status == Status::numeric) settle_common_surface();
+    } catch (const Settled&) {
+    }
+  }
+
+  void subdivide() {
     BorderCurves borders(first_.exact, second_.exact, context_);
     const bridge::BorderPoints border = bridge::patch_border_points(
         first_net_, second_net_, first_.exact, second_.exact,
         [&](std::size_t a, int a_side, std::size_t b, int b_side) { return borders.meetings(a, a_side, b, b_side); },
-        [&](std::size_t axis, int side) { return borders.contained(axis, side); }, context_);
+        [&](std::size_t axis, int side) {
+          if (settle_common_surface()) throw Settled();
+          return borders.contained(axis, side);
+        },
+        context_);
     add_contained(border.contained);
     std::vector<bridge::CrossingPoint> ends;
     for (const bridge::BorderPoint& point : border.points) {
@@ -145,6 +168,37 @@ class PatchPair {
     if (!graph_.complete) result_.warnings.push_back("the subdivision was ended at its limit");
     result_.status = complete ? Status::certified : Status::numeric;
     summarise(result_);
+  }
+
+  /// Asked once: whether both patches are parts of one surface, and what they have in common is known from that.
+  bool settle_common_surface() {
+    if (common_surface_asked_) return false;
+    common_surface_asked_ = true;
+    const auto overlap = patch_overlap({first_.exact, first_net_}, {second_.exact, second_net_}, tolerance_, context_);
+    if (!overlap) return false;
+    result_.components.clear();
+    result_.singular_points.clear();
+    result_.warnings.clear();
+    for (const DrawnCurve& outline : overlap->outlines)
+      result_.components.push_back(component_of(SurfaceComponentKind::overlap, outline));
+    for (const auto& [kind, pieces] : {std::pair(SurfaceComponentKind::curve, &overlap->curves),
+                                       std::pair(SurfaceComponentKind::loop, &overlap->loops),
+                                       std::pair(SurfaceComponentKind::point, &overlap->points)})
+      for (const DrawnCurve& drawn : *pieces) {
+        SurfaceComponent component = component_of(kind, drawn);
+        component.tangential = true;
+        component.start.side = sides_at(drawn.parameters.front());
+        component.end.side = sides_at(drawn.parameters.back());
+        result_.components.push_back(std::move(component));
+      }
+    result_.status = overlap->complete ? Status::certified : Status::numeric;
+    if (!overlap->complete)
+      result_.warnings.push_back(
+          "both patches are parts of one surface that is not proven to be without self-intersection: what they have in "
+          "common beside the common parts is not known");
+    summarise(result_);
+    if (!overlap->outlines.empty()) result_.rest_status = std::exchange(result_.status, Status::infinite);
+    return true;
   }
 
   static std::string border_name(std::size_t axis, int side) {
@@ -194,95 +248,30 @@ class PatchPair {
   }
 
   SurfaceComponent contained_border(const bridge::ContainedBorder& border) {
-    const bool of_first = border.axis < 2;
-    bridge::PatchJets own(of_first ? first_net_ : second_net_);
-    bridge::PatchJets other(of_first ? second_net_ : first_net_);
-    const std::size_t kept = border.axis;
-    const std::size_t along = of_first ? 1 - kept : 5 - kept;
-    const auto bounds = own.bounds_on(0, 1, 0, 1);
-    const Array4d& bend = bounds->second[along % 2 == 0 ? 0 : 2];
-    const double curvature =
-        bend.head<3>().matrix().norm() * (border.upper - border.lower) * (border.upper - border.lower);
-    const auto steps =
-        static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(curvature / (8 * tolerance_))), 1.0, 1e6));
-    SurfaceComponent component;
-    component.error = curvature / 8 / static_cast<double>(steps * steps);
-    component.certified = true;
-    std::array<double, 2> start{0.5, 0.5};
-    std::array<double, 4> first_at{};
-    std::array<double, 4> last_at{};
-    bool known = false;
-    double evaluation = 0;
-    for (std::size_t i = 0; i <= steps; ++i) {
-      const double place =
-          border.lower + (border.upper - border.lower) * static_cast<double>(i) / static_cast<double>(steps);
-      std::array<double, 4> at{};
-      at[kept] = border.side < 0 ? 0 : 1;
-      at[along] = place;
-      const std::size_t base = of_first ? 0 : 2;
-      const bridge::PatchJets::Value value = own.at(at[base], at[base + 1]);
-      evaluation = std::max(evaluation, value.error);
-      if (!known) start = nearest_start(other, value.point);
-      known = true;
-      start = parameters_of(other, value.point, start);
-      at[2 - base] = start[0];
-      at[3 - base] = start[1];
-      if (i == 0) first_at = at;
-      last_at = at;
-      component.points.push_back(placed(at, {value.point[0], value.point[1], value.point[2]}));
-    }
-    // Ends of the interval are known to 15 digits.
-    component.error += 1.74 * evaluation + 1e-14 * size_of(of_first ? first_ : second_) + rounding_of(component);
-    const auto sides_of = [&](const std::array<double, 4>& at) {
-      // It ends where one of both patches does.
-      constexpr double accuracy = 1e-9;
-      std::array<int, 4> side{};
-      for (std::size_t k = 0; k < 4; ++k) side[k] = at[k] < accuracy ? -1 : at[k] > 1 - accuracy ? 1 : 0;
-      side[kept] = border.side;
-      return side;
-    };
-    component.start.side = sides_of(first_at);
-    component.end.side = sides_of(last_at);
+    const DrawnCurve drawn = drawn_border(first_net_, second_net_, border, tolerance_);
+    SurfaceComponent component = component_of(SurfaceComponentKind::curve, drawn);
+    component.start.side = sides_at(drawn.parameters.front());
+    component.end.side = sides_at(drawn.parameters.back());
+    component.start.side[border.axis] = component.end.side[border.axis] = border.side;
     return component;
   }
 
-  /// The best of a few parameters.
-  static std::array<double, 2> nearest_start(bridge::PatchJets& patch, const Array4d& point) {
-    std::array<double, 2> best{0.5, 0.5};
-    double least = INFINITY;
-    constexpr int parts = 16;
-    for (int i = 0; i <= parts; ++i)
-      for (int j = 0; j <= parts; ++j) {
-        const std::array<double, 2> at{static_cast<double>(i) / parts, static_cast<double>(j) / parts};
-        const double d = (patch.at(at[0], at[1]).point - point).head<3>().matrix().squaredNorm();
-        if (d < least) {
-          least = d;
-          best = at;
-        }
-      }
-    return best;
+  /// A curve along a border ends where one of both patches does.
+  static std::array<int, 4> sides_at(const std::array<double, 4>& at) {
+    constexpr double accuracy = 1e-9;
+    std::array<int, 4> side{};
+    for (std::size_t k = 0; k < 4; ++k) side[k] = at[k] < accuracy ? -1 : at[k] > 1 - accuracy ? 1 : 0;
+    return side;
   }
 
-  /// Of a point on a patch, by Gauss's and Newton's method.
-  static std::array<double, 2> parameters_of(bridge::PatchJets& patch, const Array4d& point, std::array<double, 2> at) {
-    constexpr int most_steps = 20;
-    for (int step = 0; step < most_steps; ++step) {
-      const bridge::PatchJets::Value value = patch.at(at[0], at[1]);
-      const auto dot = [](const Array4d& a, const Array4d& b) { return (a * b).head<3>().sum(); };
-      const Array4d difference = value.point - point;
-      const double uu = dot(value.first[0], value.first[0]);
-      const double uv = dot(value.first[0], value.first[1]);
-      const double vv = dot(value.first[1], value.first[1]);
-      const double p = dot(value.first[0], difference);
-      const double q = dot(value.first[1], difference);
-      const double determinant = uu * vv - uv * uv;
-      if (!(determinant > 0)) break;
-      const double du = (vv * p - uv * q) / determinant;
-      const double dv = (uu * q - uv * p) / determinant;
-      at = {std::clamp(at[0] - du, 0.0, 1.0), std::clamp(at[1] - dv, 0.0, 1.0)};
-      if (std::fabs(du) + std::fabs(dv) < 1e-14) break;
-    }
-    return at;
+  SurfaceComponent component_of(SurfaceComponentKind kind, const DrawnCurve& drawn) const {
+    SurfaceComponent component;
+    component.kind = kind;
+    component.certified = true;
+    for (std::size_t i = 0; i < drawn.points.size(); ++i)
+      component.points.push_back(placed(drawn.parameters[i], drawn.points[i]));
+    component.error = drawn.error + rounding_of(component);
+    return component;
   }
 
   void add_touching_point(const bridge::BorderPoint& point) {
@@ -448,6 +437,7 @@ class PatchPair {
   ControlNet second_net_;
   const bridge::SurfaceContactProver* prover_ = nullptr;
   BranchGraph graph_;
+  bool common_surface_asked_ = false;
   SurfaceResult result_;
 };
 
@@ -483,8 +473,9 @@ double size_of(const PreparedNet& net) {
   return std::max({upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]});
 }
 
-SurfaceResult intersect_patches(PreparedNet first, PreparedNet second, double tolerance, const Context& context) {
-  return PatchPair(std::move(first), std::move(second), tolerance, context).run();
+SurfaceResult intersect_parts_of_patch(PreparedNet first, PreparedNet second, double tolerance,
+                                       const Context& context) {
+  return PatchPair(std::move(first), std::move(second), tolerance, true, context).run();
 }
 
 SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
@@ -492,7 +483,7 @@ SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbo
   PreparedNet a = prepared_patch(first, "first");
   PreparedNet b = prepared_patch(second, "second");
   const double size = std::min(size_of(a), size_of(b));
-  return intersect_patches(std::move(a), std::move(b), options.tolerance * size, context);
+  return PatchPair(std::move(a), std::move(b), options.tolerance * size, false, context).run();
 }
 
 }  // namespace eliminant::intersect

@@ -23,8 +23,9 @@ bool has_positive_weights(const PreparedNet& net);
 /// Largest side of the box around the control points.
 double size_of(const PreparedNet& net);
 
-/// The same of prepared patches; `tolerance` is a distance in space.
-SurfaceResult intersect_patches(PreparedNet first, PreparedNet second, double tolerance, const Context& context);
+/// The same of two parts of one patch, prepared; `tolerance` is a distance in space. Whether they cover each other is
+/// not asked (patch_overlap): that asks in turn whether a patch meets itself.
+SurfaceResult intersect_parts_of_patch(PreparedNet first, PreparedNet second, double tolerance, const Context& context);
 
 /// The same of one patch with itself: pairs of different parameters with one point, each curve once.
 SurfaceResult intersect_patch_with_itself(const symbolic::SurfacePiece& patch, const Options& options,

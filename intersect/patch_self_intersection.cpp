@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <eliminant/base/error.hpp>
 #include <eliminant/bridge/injectivity.hpp>
 #include <eliminant/bridge/pinch_point.hpp>
 #include <eliminant/bridge/rational_double.hpp>
@@ -14,6 +15,7 @@
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
 #include <eliminant/intersect/patch_parts.hpp>
+#include <eliminant/intersect/triple_points.hpp>
 
 namespace eliminant::intersect {
 
@@ -173,7 +175,8 @@ class PatchWithItself {
     std::size_t undecided = 0;
     for (const PartPair& pair : separated_) {
       if (result_.limit) return;
-      SurfaceResult part = intersect_patches(first_.net(pair.first), second_.net(pair.second), tolerance, context_);
+      SurfaceResult part =
+          intersect_parts_of_patch(first_.net(pair.first), second_.net(pair.second), tolerance, context_);
       if (part.status == Status::numeric) ++undecided;
       append(result_, std::move(part));
       // A surface that covers another part of itself would go on for long.
@@ -194,7 +197,19 @@ class PatchWithItself {
     remove_mirror_images(result_, bounds);
     for (const Pinch& pinch : pinches_) add_pinch(net, pinch);
     for (const bridge::CellBox& box : clusters_of(open_)) add_fold(box);
+    add_triple_points();
     summarise(result_);
+  }
+
+  void add_triple_points() {
+    if (result_.limit) return;
+    try {
+      for (SurfaceSingularPoint& point : triple_points(patch_, result_.components, context_))
+        result_.singular_points.push_back(std::move(point));
+    } catch (const LimitReached& limit) {
+      result_.status = Status::incomplete;
+      result_.limit = limit.what();
+    }
   }
 
   struct Pinch {

@@ -64,7 +64,8 @@ struct BranchSpline {
 /// A piece of the intersection, as a user wants it: from end to end.
 struct SurfaceComponent {
   SurfaceComponentKind kind = SurfaceComponentKind::curve;
-  /// From start to end; of a loop the last point is the first. Of an overlap: the corners of its outline.
+  /// From start to end; of a loop the last point is the first. Of an overlap: its outline, closed; empty
+  /// where that is the whole of surfaces without domains.
   std::vector<SurfacePoint> points;
   /// Of an arc.
   BranchEnd start;
@@ -97,6 +98,8 @@ struct SurfaceSingularPoint {
   SurfacePoint at;
   /// Bounds the error of each parameter and coordinate.
   double radius = 0;
+  /// Of a triple point, beside the two in `at`.
+  std::optional<std::array<double, 2>> third_preimage;
   /// Half-branches of the real curve there.
   std::size_t half_branches = 0;
   bool certified = false;
@@ -124,6 +127,8 @@ struct SurfaceCounts {
 struct SurfaceResult {
   std::string problem = "surface_surface";
   Status status = Status::numeric;
+  /// With `infinite`: of what is listed beside the overlaps.
+  std::optional<Status> rest_status;
   std::optional<std::string> limit;
   SurfaceCounts counts;
   /// Curves first, then loops, points, overlaps; each sorted by the smallest parameters (u, v, s, t) of their points.

@@ -9,7 +9,9 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/branch_spline.hpp>
+#include <eliminant/intersect/equal_surfaces.hpp>
 #include <eliminant/intersect/implicit_section.hpp>
+#include <eliminant/intersect/overlap_borders.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
 #include <eliminant/intersect/projective_charts.hpp>
 #include <eliminant/intersect/whole_surfaces.hpp>
@@ -44,7 +46,9 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
       to_surface_parameters(part, a, b);
       append(result, std::move(part));
     }
-  join_branches(result, domain_bounds(first, second));
+  const DomainBounds bounds = domain_bounds(first, second);
+  remove_borders_of_overlaps(result, bounds);
+  join_branches(result, bounds);
   summarise(result);
   return result;
 }
@@ -55,7 +59,8 @@ SurfaceResult intersect_whole(const ParametricSurface& first, const ParametricSu
                               const Context& context) {
   const RationalSurface& a = first.pieces.front().map;
   const RationalSurface& b = second.pieces.front().map;
-  if (options.engine != Engine::exact) {
+  // Charts of one surface overlap each other everywhere.
+  if (options.engine != Engine::exact && !are_one_surface(a, b, options, context)) {
     SurfaceResult by_charts = intersect_charts(first, second, options, context);
     if (by_charts.status == Status::certified || options.engine == Engine::box) {
       by_charts.projection =

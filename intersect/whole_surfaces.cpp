@@ -8,6 +8,7 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/isolated_roots.hpp>
 #include <eliminant/intersect/contracted_lines.hpp>
+#include <eliminant/intersect/equal_surfaces.hpp>
 #include <eliminant/intersect/whole_curve.hpp>
 #include <eliminant/symbolic/arithmetic/flint_errors.hpp>
 #include <eliminant/symbolic/arithmetic/hidden_variable.hpp>
@@ -189,7 +190,7 @@ class WholeIntersection {
     report_projection();
     if (eliminant_.vanishing != DeterminantVanishing::no) {
       treat_vanishing();
-      if (result_.status == Status::infinite) {
+      if (eliminant_.vanishing == DeterminantVanishing::overlap) {
         result_.seconds = {{"total", std::chrono::duration<double>(Clock::now() - start).count()}};
         return;
       }
@@ -210,15 +211,25 @@ class WholeIntersection {
                        {"curve", seconds(chosen, Clock::now())}};
   }
 
-  void treat_vanishing() {
-    const std::string reason(symbolic::explanation(eliminant_.vanishing));
-    if (eliminant_.vanishing == DeterminantVanishing::overlap) {
+  /// Both maps have one surface as image.
+  void add_overlap() {
+    if (options_.certify && !have_common_real_part(surfaces_->first, surfaces_->second, options_, context_)) {
+      doubt("both images are parts of one surface; whether their real points have an area in common is not known");
+    } else {
       SurfaceComponent overlap;
       overlap.kind = SurfaceComponentKind::overlap;
       overlap.certified = options_.certify;
       result_.components.push_back(std::move(overlap));
-      count();
       result_.status = Status::infinite;
+      result_.rest_status = options_.certify ? Status::certified : Status::numeric;
+    }
+    count();
+  }
+
+  void treat_vanishing() {
+    const std::string reason(symbolic::explanation(eliminant_.vanishing));
+    if (eliminant_.vanishing == DeterminantVanishing::overlap) {
+      add_overlap();
       return;
     }
     doubt("the eliminant vanishes identically: " + reason);

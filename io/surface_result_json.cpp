@@ -79,6 +79,9 @@ Json singular_point_json(const SurfaceSingularPoint& point) {
   Json out;
   out["kind"] = word_for(point.kind);
   add_point(out, point.at);
+  if (point.third_preimage)
+    out["third_preimage"] = {known(coordinate_text((*point.third_preimage)[0])),
+                             known(coordinate_text((*point.third_preimage)[1]))};
   out["radius"] = double_text(point.radius);
   out["half_branches"] = point.half_branches;
   out["certified"] = point.certified;
@@ -144,7 +147,7 @@ Json domains_json(const SurfaceDomains& domains) {
 std::string surface_result_json(const intersect::SurfaceResult& result, const SurfaceDomains& domains,
                                 const std::optional<ProblemId>& id, bool equation) {
   const bool itself = result.problem == "self_intersection";
-  Json out = result_heading(result.problem, id, result.status, {}, result.limit);
+  Json out = result_heading(result.problem, id, result.status, result.rest_status, result.limit);
   out["counts"] = {{"curves", result.counts.curves},     {"loops", result.counts.loops},
                    {"points", result.counts.points},     {"overlaps", result.counts.overlaps},
                    {"singular", result.counts.singular}, {"excluded", result.counts.excluded}};

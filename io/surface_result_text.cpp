@@ -28,7 +28,10 @@ std::string status_line(const SurfaceResult& result) {
     case intersect::Status::certified:
       return "Status: certified: every component found, of the kind said, none missing\n";
     case intersect::Status::infinite:
-      return "Status: infinite: the surfaces have a part in common\n";
+      return std::string("Status: infinite: the surfaces have a part in common\n") +
+             (result.rest_status == intersect::Status::certified
+                  ? "Rest:   certified: every component found, of the kind said, none missing\n"
+                  : "Rest:   numeric: not proven complete\n");
     case intersect::Status::incomplete:
       return "Status: incomplete: what was found so far\n";
     case intersect::Status::numeric:

@@ -52,6 +52,32 @@ TEST_CASE("program: certificates and verify do not go with surfaces") {
   }
 }
 
+TEST_CASE("program: patches with a part in common are an answer, in every format and as a picture") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("p.json", R"({"problem": "surface_surface",
+  "first": {"parameters": ["a", "b"], "x": "a", "y": "b", "z": "a*b", "domain": [[0, 1], [0, 1]]},
+  "second": {"parameters": ["a", "b"], "x": "b", "y": "a", "z": "a*b", "domain": [["1/2", 2], ["-1", "1/4"]]}})");
+  const Outcome json = run_program(folder, "solve '" + path + "' --tolerance 1e-3 --bspline --format json");
+  CHECK(json.status == 0);
+  const JsonDocument document(json.out);
+  CHECK(document.root().find("status")->text == "infinite");
+  CHECK(document.root().find("rest_status")->text == "certified");
+  CHECK(document.root().find("counts")->find("overlaps")->text == "1");
+  const auto& overlap = document.root().find("components")->elements.at(0);
+  CHECK(overlap.find("kind")->text == "overlap");
+  // x from 0 to 1/4, y from 1/2 to 1: a hyperbolic paraboloid with straight borders.
+  CHECK(overlap.find("points")->elements.size() == 5);
+  CHECK(overlap.find("points")->elements.at(2).find("z")->text == "0.25");
+  const Outcome text = run_program(folder, "solve '" + path + "'");
+  CHECK(text.status == 0);
+  CHECK(contains(text.out, "Rest:   certified"));
+  CHECK(contains(text.out, "1  common part of both surfaces"));
+  const Outcome csv = run_program(folder, "solve '" + path + "' --format csv");
+  CHECK(contains(csv.out, "0,overlap,0.25,1,1,0.25,0.25,1,0.25"));
+  folder.write("r.json", json.out);
+  CHECK(run_program(folder, "report '" + folder.file("r.json") + "' -o '" + folder.file("r.svg") + "'").status == 0);
+}
+
 TEST_CASE("program: --tolerance is checked wherever it stands") {
   const TemporaryFolder folder;
   const std::string path = folder.write("p.json", two_patches);

@@ -134,8 +134,8 @@ TEST_CASE("Patch pairs: arcs end in the contact where they cross, and a touching
 }
 
 TEST_CASE("Patch pairs: what cannot be decided is not certified") {
-  // Contact along a line, of higher order, and at irrational parameters; one patch twice; weights of both signs.
-  for (const std::string height : {"(u - 1/2)^2", "(u - 1/2)^2 + (v - 1/2)^4", "(u^2 - 1/3)^2 + (v - 1/2)^2", "0"}) {
+  // Contact along a line, of higher order, and at irrational parameters; weights of both signs.
+  for (const std::string height : {"(u - 1/2)^2", "(u - 1/2)^2 + (v - 1/2)^4", "(u^2 - 1/3)^2 + (v - 1/2)^2"}) {
     CAPTURE(height);
     const SurfaceResult result = solved(patch(ground), patch({"u", "v", height}));
     CHECK(result.status == Status::numeric);
