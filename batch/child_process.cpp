@@ -32,7 +32,8 @@ void end_with_parent([[maybe_unused]] pid_t parent) {
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGALRM, SIG_DFL);
+  // What the parent does about errors of its own is not for the child.
+  for (const int signal : {SIGALRM, SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
   int status = 0;
   try {
     before_body();

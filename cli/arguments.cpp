@@ -30,7 +30,7 @@ constexpr std::array<OptionText, 11> valued_options{{
     {"tolerance", "T", "of traced curves, relative to the size of the patches (default 1e-9)"},
     {"threads", "N", "worker threads, of batch worker processes (default 1); the answer does not depend on it"},
     {"time-limit", "S", "seconds until the computation ends with status incomplete"},
-    {"memory-limit", "MB", "address space of the process in megabytes"},
+    {"memory-limit", "MB", "megabytes that a problem may take, beside the program itself"},
     {"seed", "N", "seed of the choice of primes (default 0); the answer does not depend on it"},
 }};
 constexpr std::array<OptionText, 6> switches{{

@@ -9,6 +9,7 @@
 #include <eliminant/cli/run.hpp>
 #include <eliminant/io/error_report.hpp>
 #include <eliminant/io/json_layout.hpp>
+#include <eliminant/io/memory_limit.hpp>
 #include <eliminant/version.hpp>
 
 namespace eliminant::cli {
@@ -49,6 +50,8 @@ batch::BatchSettings batch_settings(const Arguments& arguments) {
 
 batch::Solver batch_solver(const Arguments& arguments) {
   const auto solve = [&arguments](const batch::Task& task) {
+    // The memory of a worker begins at its first problem: what it has of its parent depends on when it was forked.
+    [[maybe_unused]] static const bool counted = (io::count_memory_from_now(), true);
     LineResult result = result_line({task.line, task.text}, arguments);
     return batch::Solved{std::move(result.json), result.memory_exhausted};
   };
