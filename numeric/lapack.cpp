@@ -5,11 +5,14 @@
 
 // Weak: the address is null with another LAPACK.
 extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
+extern "C" int blas_thread_shutdown_() __attribute__((weak));
 
 namespace eliminant::numeric {
 
 void use_one_blas_thread() {
   if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
+  // The helper threads were started when the library was loaded, and each is about to take working memory of its own.
+  if (blas_thread_shutdown_ != nullptr) blas_thread_shutdown_();
 }
 
 void reserve_blas_memory() {
