@@ -103,6 +103,14 @@ TEST_CASE("batch: each line has its result, in order, and a bad one costs that l
   CHECK(error_field(lines[1], "column") == "52");
 }
 
+TEST_CASE("batch: the example has the results that stand beside it") {
+  const TemporaryFolder folder;
+  const std::string problems = std::string(ELIMINANT_EXAMPLES) + "/batch.ndjson";
+  std::ifstream expected(std::string(ELIMINANT_EXAMPLES) + "/batch.expected.ndjson");
+  CHECK(run_program(folder, "batch '" + problems + "'").out ==
+        std::string(std::istreambuf_iterator<char>(expected), std::istreambuf_iterator<char>()));
+}
+
 TEST_CASE("batch: a line is what solve prints, but for its layout and the seconds") {
   const TemporaryFolder folder;
   const std::string problem =
