@@ -273,6 +273,25 @@ TEST_CASE("batch: an interrupted run keeps its results and says that it is not c
   }
 }
 
+TEST_CASE("batch: an output that becomes full keeps what fits, and is resumed") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("problems", batch_problems(300));
+  const std::string whole = run_program(folder, "batch '" + path + "'").out;
+  const std::string command = "batch '" + path + "' -o '" + folder.file("results") + "' --resume";
+  // The limit of the size of a file stands for the end of a disk.
+  const std::string limited = "ulimit -f 100; '" + std::string(ELIMINANT_PROGRAM) + "' " + command + " 2>'" +
+                              folder.file("message") + "'; exit $?";
+  const int status = std::system(limited.c_str());
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 1);
+  CHECK(contains(folder.read("message"), "cannot write '" + folder.file("results") + "': File too large"));
+  const std::string kept = folder.read("results");
+  CHECK(kept.size() > 50'000);
+  CHECK(kept == whole.substr(0, kept.size()));
+  CHECK(run_program(folder, command).status == 0);
+  CHECK(folder.read("results") == whole);
+}
+
 TEST_CASE("batch: two runs do not write one output") {
   const TemporaryFolder folder;
   const std::string path = folder.write("problems", quick_problem + slow_problem());
