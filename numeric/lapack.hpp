@@ -59,4 +59,8 @@ namespace eliminant::numeric {
 /// helper threads burn processor time without being faster. A process-wide setting, so it is for programs to call.
 void use_one_blas_thread();
 
+/// Lets OpenBLAS take the working memory now that it would take at its first product, and keeps: where a limit of the
+/// address space refuses that, it asks again for ever. To be called before such a limit is set.
+void reserve_blas_memory();
+
 }  // namespace eliminant::numeric

@@ -67,7 +67,7 @@ TEST_CASE("program: a wrong command line is bad usage") {
                                 "curves x y --digits many",
                                 "curves x y --real --complex",
                                 "curves x --y",
-                                "batch f",
+                                "batch",
                                 "verify",
                                 "verify p.json",
                                 "verify p.json c.csv --certificate c.json",
