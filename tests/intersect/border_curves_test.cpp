@@ -33,7 +33,7 @@ bool is_near(const std::array<double, 2>& pair, double a, double b) {
 
 TEST_CASE("Border curves: meet where their patches do, to within 1e-11") {
   // (u, u^3, u^2) and (s, s/2, 1/2) at v = t = 0, at sqrt(1/2); one higher at v = t = 1.
-  const Pair pair({"u", "u^3 + v", "u^2"}, {"u", "u/2 + v", "1/2"});
+  Pair pair({"u", "u^3 + v", "u^2"}, {"u", "u/2 + v", "1/2"});
   const double root = std::sqrt(0.5);
   for (const int side : {-1, 1}) {
     const auto meetings = pair.curves.meetings(1, side, 3, side);
@@ -48,7 +48,7 @@ TEST_CASE("Border curves: meet where their patches do, to within 1e-11") {
 
 TEST_CASE("Border curves: several meetings, and none at parameters beyond the ends") {
   // On z = 0 the borders v = 0 and t = 0: y = (4 x - 1) (4 x - 3) and y = 0.
-  const Pair pair({"u", "(4*u - 1)*(4*u - 3) + v", "v"}, {"u", "-v", "0"});
+  Pair pair({"u", "(4*u - 1)*(4*u - 3) + v", "v"}, {"u", "-v", "0"});
   auto meetings = pair.curves.meetings(1, -1, 3, -1);
   REQUIRE(meetings.size() == 2);
   if (meetings[0][0] > meetings[1][0]) std::swap(meetings[0], meetings[1]);
