@@ -22,6 +22,9 @@ constexpr double fewest_inliers_share = 0.002;
 constexpr std::size_t fewest_inliers = 50;
 constexpr std::size_t most_points = std::size_t{1} << 31U;
 constexpr std::size_t most_points_of_fit = 50000;
+// What the last fit leaves out at each end: the smaller of the two.
+constexpr double end_in_radii = 0.75;
+constexpr double end_in_lengths = 0.125;
 
 struct PointBox {
   Point lowest;
@@ -108,8 +111,8 @@ class Extraction {
     numeric::CylinderCriteria& criteria = settings_.criteria;
     criteria.distance = problem_.distance;
     criteria.min_radius = problem_.min_radius.value_or(least_radius_in_distances * problem_.distance);
-    criteria.max_radius = problem_.max_radius.value_or(
-        std::max(criteria.min_radius, largest_radius_in_diagonals * diagonal));
+    criteria.max_radius =
+        problem_.max_radius.value_or(std::max(criteria.min_radius, largest_radius_in_diagonals * diagonal));
     require_positive(criteria.min_radius, "min_radius");
     require_positive(criteria.max_radius, "max_radius");
     if (criteria.min_radius > criteria.max_radius)
@@ -179,17 +182,29 @@ class Extraction {
     for (std::size_t n = 0; n < segments_.size(); ++n) {
       CylinderSegment& segment = segments_[n];
       segment.inliers = std::move(members[n]);
-      std::vector<Point> fitted;
       std::vector<Point> all;
-      const std::size_t stride = segment.inliers.size() / most_points_of_fit + 1;
-      for (std::size_t i = 0; i < segment.inliers.size(); ++i) {
-        all.push_back(points_[segment.inliers[i]]);
-        if (i % stride == 0) fitted.push_back(all.back());
-      }
-      segment.cylinder = numeric::fit_cylinder(fitted, segment.cylinder);
+      for (const std::uint32_t i : segment.inliers) all.push_back(points_[i]);
+      segment.cylinder = numeric::fit_cylinder(undisturbed(all, segment), segment.cylinder);
       segment.rms = numeric::rms_distance(all, segment.cylinder);
       measure(segment, all);
     }
+  }
+
+  // Points within the noise, away from the ends, where a pipe may begin to bend.
+  static std::vector<Point> undisturbed(const std::vector<Point>& points, const CylinderSegment& segment) {
+    const CylinderFrame frame(segment.cylinder);
+    const double end = std::min(end_in_radii * segment.cylinder.radius, segment.length() * end_in_lengths);
+    std::vector<Point> chosen;
+    for (const Point& point : points) {
+      const auto [height, residual] = frame.at(point);
+      if (height >= segment.lowest + end && height <= segment.highest - end && std::abs(residual) <= segment.reach)
+        chosen.push_back(point);
+    }
+    const std::size_t stride = chosen.size() / most_points_of_fit + 1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < chosen.size(); i += stride) chosen[kept++] = chosen[i];
+    chosen.resize(kept);
+    return chosen;
   }
 
   static void measure(CylinderSegment& segment, const std::vector<Point>& points) {
@@ -222,7 +237,7 @@ class Extraction {
   }
 
   ExtractedCylinder in_place(const CylinderSegment& segment) const {
-    ExtractedCylinder cylinder{segment.cylinder.direction, {}, segment.cylinder.radius, segment.length(),
+    ExtractedCylinder cylinder{segment.cylinder.direction, {},         segment.cylinder.radius, segment.length(),
                                segment.inliers.size(),     segment.rms};
     const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
     if (*std::max_element(cylinder.direction.begin(), cylinder.direction.end(), larger) < 0)

@@ -86,10 +86,9 @@ struct CylinderExtractionResult {
 /// when a cylinder that is still missing is unlikely enough. The result follows from the problem and `options.seed`; it
 /// does not depend on `options.threads`.
 /// Guarantee: none, the status is `numeric` or, after a limit, `incomplete`. Throws InvalidInput for a distance or
-/// radii that are not positive and finite, a confidence outside (0, 1), points that are not finite, and LimitReached for
-/// more than 2^31 points.
-/// Source: the five-point problem of [DevillersMourrainPreparataTrebuchet2003] within the sampling of
-/// [SchnabelWahlKlein2007]; docs/cylinder-extraction.md.
+/// radii that are not positive and finite, a confidence outside (0, 1), points that are not finite, and LimitReached
+/// for more than 2^31 points. Source: the five-point problem of [DevillersMourrainPreparataTrebuchet2003] within the
+/// sampling of [SchnabelWahlKlein2007]; docs/cylinder-extraction.md.
 CylinderExtractionResult extract_cylinders(const CylinderExtractionProblem& problem, const Options& options,
                                            const Context& context);
 

@@ -51,8 +51,8 @@ void CylinderSearch::run(const Context& context) {
                        " cylinders");
     if (changed) build_grids();
     const Round round = draw_samples();
-    expected_seeds_ += static_cast<double>(samples_in_round) * static_cast<double>(fewest) /
-                       static_cast<double>(left_.size());
+    expected_seeds_ +=
+        static_cast<double>(samples_in_round) * static_cast<double>(fewest) / static_cast<double>(left_.size());
     changed = accept(grow(numeric::gather_votes(round.hypotheses, left_)), round);
   }
   if (left_.size() < fewest) expected_seeds_ = HUGE_VAL;

@@ -32,7 +32,8 @@ class Distances {
   using JacobianType = Eigen::MatrixXd;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };  // NOLINT: names of Eigen
 
-  Distances(std::span<const Point> points, const Cylinder& start) : local_(3, static_cast<Eigen::Index>(points.size())) {
+  Distances(std::span<const Point> points, const Cylinder& start)
+      : local_(3, static_cast<Eigen::Index>(points.size())) {
     axis_ = vector_of(start.direction).normalized();
     const auto normals = normals_of(axis_);
     u_ = normals[0];

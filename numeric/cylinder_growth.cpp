@@ -12,30 +12,52 @@ namespace eliminant::numeric {
 
 namespace {
 
-struct Inlier {
+struct NearPoint {
   std::uint32_t index;
   double height;
+  bool on;  ///< within the distance of the cylinder, or else only within three times the distance
 };
 
-// Points within `reach` of the cylinder, between two heights.
-std::vector<Inlier> inliers_between(std::span<const Point> points, const CylinderFrame& frame, double lowest,
-                                    double highest, double reach) {
-  std::vector<Inlier> found;
+// Points within three times `distance` of the cylinder, between two heights.
+std::vector<NearPoint> points_near(std::span<const Point> points, const CylinderFrame& frame, double lowest,
+                                   double highest, double distance) {
+  std::vector<NearPoint> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [height, residual] = frame.at(points[i]);
-    if (height >= lowest && height <= highest && std::abs(residual) <= reach)
-      found.push_back({static_cast<std::uint32_t>(i), height});
+    if (height >= lowest && height <= highest && std::abs(residual) <= 3 * distance)
+      found.push_back({static_cast<std::uint32_t>(i), height, std::abs(residual) <= distance});
   }
   return found;
+}
+
+// A surface that leaves the layer of points within the distance on both sides has sqrt(3) - 1 = 0.73 times as many
+// beside it, up to three distances away; noise of which the distance is one standard deviation has 0.46 times as many.
+constexpr double most_beside = 0.6;
+
+bool ends_in_layer(std::size_t on, std::size_t beside) {
+  return static_cast<double>(beside) <= most_beside * static_cast<double>(on);
+}
+
+// The mean of the counts, each weighted by itself: what the counts are where most of the points are.
+double usual_count(std::span<const std::size_t> counts) {
+  double sum = 0;
+  double squares = 0;
+  for (const std::size_t count : counts) {
+    const auto number = static_cast<double>(count);
+    sum += number;
+    squares += number * number;
+  }
+  return sum > 0 ? squares / sum : 0;
 }
 
 // Heights cut into bins of equal width.
 class HeightBins {
  public:
-  HeightBins(const std::vector<Inlier>& inliers, double lowest, double highest, double width)
+  HeightBins(const std::vector<NearPoint>& points, double lowest, double highest, double width)
       : lowest_(lowest), width_(width) {
     counts_.assign(static_cast<std::size_t>((highest - lowest) / width) + 1, 0);
-    for (const Inlier& inlier : inliers) ++counts_[bin_of(inlier.height)];
+    beside_ = counts_;
+    for (const NearPoint& point : points) ++(point.on ? counts_ : beside_)[bin_of(point.height)];
   }
 
   std::size_t bin_of(double height) const {
@@ -43,8 +65,8 @@ class HeightBins {
     return static_cast<std::size_t>(bin);
   }
 
-  // First and last bin of those reached from the bin `home` over gaps of at most `gap` bins; a bin with fewer points
-  // than `least` is a gap.
+  // First and last bin of those reached from the bin `home` over gaps of at most `gap` bins; a bin is a gap when it has
+  // fewer points than `least`, or when the surface leaves the cylinder there, as where a pipe bends.
   std::pair<std::size_t, std::size_t> run_around(std::size_t home, double least, std::size_t gap) const {
     std::size_t first = home;
     for (std::size_t at = home; at > 0 && first - (at - 1) <= gap + 1;)
@@ -55,32 +77,36 @@ class HeightBins {
     return {first, last};
   }
 
-  double median_of(std::size_t first, std::size_t last) const {
-    std::vector<std::size_t> run(counts_.begin() + static_cast<std::ptrdiff_t>(first),
-                                 counts_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    const auto middle = run.begin() + static_cast<std::ptrdiff_t>(run.size() / 2);
-    std::nth_element(run.begin(), middle, run.end());
-    return static_cast<double>(*middle);
+  // The number of points in a bin, seen by the points between two bins: empty ends do not change it much.
+  double usual_between(std::size_t first, std::size_t last) const {
+    return usual_count({counts_.data() + first, last - first + 1});
   }
 
  private:
-  bool filled(std::size_t bin, double least) const { return static_cast<double>(counts_[bin]) >= least; }
+  bool filled(std::size_t bin, double least) const {
+    return static_cast<double>(counts_[bin]) >= least && ends_in_layer(counts_[bin], beside_[bin]);
+  }
 
   double lowest_;
   double width_;
   std::vector<std::size_t> counts_;
+  std::vector<std::size_t> beside_;
 };
 
 constexpr std::size_t most_rounds = 30;
-// Of a bin with a usual number of points, so that gaps are seen where the scan is dense.
-constexpr double least_filling = 0.2;
+// Of a bin with the usual number of points: less is chance, or another surface that only touches.
+constexpr double least_filling = 0.15;
 constexpr double least_bin_points = 6;
 constexpr double longest_gap_in_radii = 1;
+// Of the distances of normal noise, in standard deviations.
+constexpr double median_of_normal = 0.6745;
+constexpr double deviations_of_reach = 3.5;
+constexpr std::size_t least_points_of_noise = 20;
 // What a fit while growing needs; the last one has all points.
 constexpr std::size_t points_while_growing = 1500;
 constexpr std::size_t points_at_the_end = 20000;
 
-Cylinder fit_some(std::span<const Point> points, const std::vector<Inlier>& inliers, std::size_t most,
+Cylinder fit_some(std::span<const Point> points, const std::vector<NearPoint>& inliers, std::size_t most,
                   const Cylinder& start) {
   const std::size_t stride = inliers.size() / most + 1;
   std::vector<Point> chosen;
@@ -93,7 +119,7 @@ class Growth {
  public:
   Growth(std::span<const Point> points, const Cylinder& start, const Point& seed, double half_length,
          const CylinderCriteria& criteria)
-      : points_(points), seed_(seed), criteria_(criteria), cylinder_(start) {
+      : points_(points), seed_(seed), distance_(criteria.distance), reach_(criteria.distance), cylinder_(start) {
     const double height = CylinderFrame(start).at(seed).height;
     lowest_ = height - half_length;
     highest_ = height + half_length;
@@ -111,6 +137,7 @@ class Growth {
       growing = round == 0 || highest_ - lowest_ > 1.02 * before;
     }
     for (int i = 0; i < 2 && run_.size() >= 5; ++i) {
+      narrow_reach();
       refit(points_at_the_end);
       find_run(lowest_ - cylinder_.radius, highest_ + cylinder_.radius, 1);
     }
@@ -120,26 +147,41 @@ class Growth {
  private:
   void find_run(double lowest, double highest, double slack) {
     const CylinderFrame frame(cylinder_);
-    const std::vector<Inlier> near = inliers_between(points_, frame, lowest, highest, slack * criteria_.distance);
+    const std::vector<NearPoint> near = points_near(points_, frame, lowest, highest, slack * reach_);
     run_.clear();
-    if (near.empty()) return;
-    const double density = static_cast<double>(near.size()) / (highest - lowest);
+    const auto on = std::count_if(near.begin(), near.end(), [](const NearPoint& point) { return point.on; });
+    if (on == 0) return;
+    const double density = static_cast<double>(on) / (highest - lowest);
     const double width = std::max(cylinder_.radius / 4, least_bin_points / density);
     const HeightBins bins(near, lowest, highest, width);
     const std::size_t home = bins.bin_of(frame.at(seed_).height);
     const auto gap = static_cast<std::size_t>(longest_gap_in_radii * cylinder_.radius / width);
     auto [first, last] = bins.run_around(home, 1, gap);
-    const double usual = bins.median_of(first, last);
+    const double usual = bins.usual_between(first, last);
     std::tie(first, last) = bins.run_around(home, std::max(1.0, least_filling * usual), gap);
     lowest_ = highest;
     highest_ = lowest;
-    for (const Inlier& inlier : near) {
-      const std::size_t bin = bins.bin_of(inlier.height);
-      if (bin < first || bin > last) continue;
-      run_.push_back(inlier);
-      lowest_ = std::min(lowest_, inlier.height);
-      highest_ = std::max(highest_, inlier.height);
+    for (const NearPoint& point : near) {
+      const std::size_t bin = bins.bin_of(point.height);
+      if (!point.on || bin < first || bin > last) continue;
+      run_.push_back(point);
+      lowest_ = std::min(lowest_, point.height);
+      highest_ = std::max(highest_, point.height);
     }
+  }
+
+  // The noise by the median of the residuals in the middle half of the run, where no other surface touches.
+  void narrow_reach() {
+    const CylinderFrame frame(cylinder_);
+    std::vector<double> residuals;
+    for (const NearPoint& point : run_)
+      if (std::abs(point.height - (lowest_ + highest_) / 2) <= (highest_ - lowest_) / 4)
+        residuals.push_back(std::abs(frame.at(points_[point.index]).residual));
+    if (residuals.size() < least_points_of_noise) return;
+    const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+    std::nth_element(residuals.begin(), middle, residuals.end());
+    const double deviation = *middle / median_of_normal;
+    reach_ = std::clamp(deviations_of_reach * deviation, distance_ / 10, distance_);
   }
 
   // Fits to the run; heights are told anew because the axis point moves.
@@ -155,11 +197,11 @@ class Growth {
   }
 
   CylinderSegment segment() const {
-    CylinderSegment segment{cylinder_, lowest_, highest_, {}, 0};
+    CylinderSegment segment{cylinder_, lowest_, highest_, reach_, {}, 0};
     std::vector<Point> on;
-    for (const Inlier& inlier : run_) {
-      segment.inliers.push_back(inlier.index);
-      on.push_back(points_[inlier.index]);
+    for (const NearPoint& point : run_) {
+      segment.inliers.push_back(point.index);
+      on.push_back(points_[point.index]);
     }
     segment.rms = rms_distance(on, cylinder_);
     return segment;
@@ -167,19 +209,19 @@ class Growth {
 
   std::span<const Point> points_;
   Point seed_;
-  const CylinderCriteria& criteria_;
+  double distance_;
+  double reach_;
   Cylinder cylinder_;
   double lowest_ = 0;
   double highest_ = 0;
-  std::vector<Inlier> run_;
+  std::vector<NearPoint> run_;
 };
 
 constexpr std::size_t sectors = 32;
 constexpr double least_covered = 0.25;
-// A surface that leaves the layer |residual| <= d on both sides fills the layers up to 3 d with sqrt(3) - 1 = 0.73 as
-// many points; noise of which d is one standard deviation with 0.46.
-constexpr double most_beside = 0.6;
-constexpr double largest_bend = 0.5;  // of the distance, at the ends
+constexpr double largest_gain_by_bending = 1.2;
+// In radii. A torus whose axis has the radius 3 r is within the distance of a cylinder over sqrt(36 r d).
+constexpr double least_length = 1.5;
 
 bool is_covered(std::span<const Point> points, const CylinderSegment& segment) {
   const CylinderFrame frame(segment.cylinder);
@@ -188,35 +230,73 @@ bool is_covered(std::span<const Point> points, const CylinderSegment& segment) {
     const double turn = (frame.angle(points[i]) / std::numbers::pi + 1) / 2;
     ++counts[std::min(sectors - 1, static_cast<std::size_t>(turn * sectors))];
   }
-  const double usual = static_cast<double>(segment.inliers.size()) / sectors;
+  const double usual = usual_count(counts);
   const auto covered =
       std::count_if(counts.begin(), counts.end(), [&](std::size_t n) { return static_cast<double>(n) >= usual / 4; });
   return static_cast<double>(covered) >= least_covered * sectors;
 }
 
-// The residuals as a combination of 1, h, h^2, h^2 cos, h^2 sin, h from -1 to 1 along the segment: on a cone the second
-// shows, on a sphere the third, on a torus the last two.
-bool is_straight(std::span<const Point> points, const CylinderSegment& segment, double distance) {
-  const CylinderFrame frame(segment.cylinder);
-  const double middle = (segment.lowest + segment.highest) / 2;
-  Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-  Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
-  for (const std::uint32_t i : segment.inliers) {
-    const auto [height, residual] = frame.at(points[i]);
-    const double h = 2 * (height - middle) / segment.length();
-    const double angle = frame.angle(points[i]);
-    const Eigen::Matrix<double, 5, 1> row(1, h, h * h, h * h * std::cos(angle), h * h * std::sin(angle));
-    normal += row * row.transpose();
-    right += residual * row;
+// The residuals near a segment as a combination of {1, h, h^2} x {1, cos, sin}, h from -1 to 1 along the segment: a
+// tilted cone, sphere or torus to second order.
+class BentSurface {
+ public:
+  using Shape = Eigen::Matrix<double, 9, 1>;
+
+  BentSurface(std::span<const Point> points, const CylinderSegment& segment, double beyond) {
+    const CylinderFrame frame(segment.cylinder);
+    const double middle = (segment.lowest + segment.highest) / 2;
+    for (const NearPoint& near :
+         points_near(points, frame, segment.lowest - beyond, segment.highest + beyond, layers * segment.reach / 3)) {
+      const Point& point = points[near.index];
+      const double h = 2 * (near.height - middle) / segment.length();
+      const double angle = frame.angle(point);
+      const Eigen::Vector3d around(1, std::cos(angle), std::sin(angle));
+      Shape row;
+      row << around, h * around, h * h * around;
+      rows_.push_back(row);
+      residuals_.push_back(frame.at(point).residual);
+    }
   }
-  const Eigen::Matrix<double, 5, 1> shape = normal.ldlt().solve(right);
-  return std::max({std::abs(shape[1]), std::abs(shape[2]), std::hypot(shape[3], shape[4])}) <= largest_bend * distance;
+
+  // Fitted to the points within `reach` of what `shape` says.
+  Shape refit(const Shape& shape, double reach) const {
+    Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+    Shape right = Shape::Zero();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (std::abs(residuals_[i] - rows_[i].dot(shape)) > reach) continue;
+      normal += rows_[i] * rows_[i].transpose();
+      right += residuals_[i] * rows_[i];
+    }
+    return normal.ldlt().solve(right);
+  }
+
+  std::size_t count_on(const Shape& shape, double reach) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      count += std::abs(residuals_[i] - rows_[i].dot(shape)) <= reach ? 1 : 0;
+    return count;
+  }
+
+ private:
+  static constexpr double layers = 8;
+  std::vector<Shape> rows_;
+  std::vector<double> residuals_;
+};
+
+// Whether no bent surface has many more points than the cylinder on and shortly beyond the segment.
+bool is_straight(std::span<const Point> points, const CylinderSegment& segment) {
+  const BentSurface surface(points, segment, std::min(segment.cylinder.radius, segment.length() / 4));
+  BentSurface::Shape shape = BentSurface::Shape::Zero();
+  const std::size_t straight = surface.count_on(shape, segment.reach);
+  for (int i = 0; i < 5; ++i) shape = surface.refit(shape, 2 * segment.reach);
+  const std::size_t bent = surface.count_on(shape, segment.reach);
+  return static_cast<double>(bent) <= largest_gain_by_bending * static_cast<double>(straight);
 }
 
-bool ends_at_its_sides(std::span<const Point> points, const CylinderSegment& segment, double distance) {
+bool ends_at_its_sides(std::span<const Point> points, const CylinderSegment& segment) {
   const CylinderFrame frame(segment.cylinder);
-  const std::size_t near = inliers_between(points, frame, segment.lowest, segment.highest, 3 * distance).size();
-  return static_cast<double>(near - segment.inliers.size()) <= most_beside * static_cast<double>(segment.inliers.size());
+  const std::size_t near = points_near(points, frame, segment.lowest, segment.highest, segment.reach).size();
+  return ends_in_layer(segment.inliers.size(), near - segment.inliers.size());
 }
 
 }  // namespace
@@ -231,10 +311,10 @@ SegmentVerdict judge_segment(std::span<const Point> points, const CylinderSegmen
   const double radius = segment.cylinder.radius;
   if (segment.inliers.size() < criteria.min_inliers) return SegmentVerdict::few_points;
   if (radius < criteria.min_radius || radius > criteria.max_radius) return SegmentVerdict::radius;
-  if (segment.length() < radius) return SegmentVerdict::short_;
+  if (segment.length() < least_length * radius) return SegmentVerdict::stub;
   if (!is_covered(points, segment)) return SegmentVerdict::narrow;
-  if (!is_straight(points, segment, criteria.distance)) return SegmentVerdict::curved;
-  if (!ends_at_its_sides(points, segment, criteria.distance)) return SegmentVerdict::beside;
+  if (!is_straight(points, segment)) return SegmentVerdict::curved;
+  if (!ends_at_its_sides(points, segment)) return SegmentVerdict::beside;
   return SegmentVerdict::cylinder;
 }
 

@@ -15,7 +15,10 @@ struct CylinderSegment {
   /// Ends, as heights over the axis point in the direction.
   double lowest = 0;
   double highest = 0;
-  /// Indices of the points within the distance between the ends, increasing.
+  /// Three and a half standard deviations of the noise, where that is less than the distance asked for: what the ends
+  /// and the inliers were told by.
+  double reach = 0;
+  /// Indices of the points within `reach` between the ends, increasing.
   std::vector<std::uint32_t> inliers;
   double rms = 0;
 
@@ -27,8 +30,8 @@ enum class SegmentVerdict {
   cylinder,
   few_points,  ///< fewer than asked for
   narrow,      ///< seen over less than a quarter of its circumference
-  short_,      ///< shorter than its radius
-  curved,      ///< the axis bends or the radius changes along it: torus, sphere, cone
+  stub,        ///< shorter than 1.5 radii
+  curved,      ///< more points are on a surface whose axis bends or whose radius changes: torus, sphere, cone
   beside,      ///< the surface goes on beside the cylinder: plane
   radius,      ///< outside the range asked for
 };

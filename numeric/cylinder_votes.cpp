@@ -39,8 +39,7 @@ bool same_cylinder(const Cylinder& a, const Cylinder& b, const Point& near) {
   return dot(across, across) <= shift * shift * dot(a.direction, a.direction);
 }
 
-std::vector<CylinderVotes> gather_votes(std::span<const CylinderHypothesis> hypotheses,
-                                        std::span<const Point> points) {
+std::vector<CylinderVotes> gather_votes(std::span<const CylinderHypothesis> hypotheses, std::span<const Point> points) {
   std::vector<std::size_t> order(hypotheses.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),

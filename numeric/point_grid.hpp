@@ -41,7 +41,8 @@ class PointGrid {
   std::span<const Point> points_;
   double side_;
   Point origin_{};
-  /// Open addressing; a key of 0 is a free slot. The points of cell c are order_[first_[c]], ..., order_[first_[c+1]-1].
+  /// Open addressing; a key of 0 is a free slot. The points of cell c are order_[first_[c]], ...,
+  /// order_[first_[c+1]-1].
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> order_;
