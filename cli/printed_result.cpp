@@ -7,6 +7,9 @@
 #include <eliminant/io/curve_topology_csv.hpp>
 #include <eliminant/io/curve_topology_json.hpp>
 #include <eliminant/io/curve_topology_text.hpp>
+#include <eliminant/io/cylinders_csv.hpp>
+#include <eliminant/io/cylinders_json.hpp>
+#include <eliminant/io/cylinders_text.hpp>
 #include <eliminant/io/result_csv.hpp>
 #include <eliminant/io/result_json.hpp>
 #include <eliminant/io/result_text.hpp>
@@ -32,6 +35,12 @@ std::string printed(const intersect::TopologyResult& result, const io::RunOption
                     const std::optional<io::ProblemId>& id) {
   if (options.format == io::Format::json) return io::curve_topology_json(result, id);
   return options.format == io::Format::csv ? io::curve_topology_csv(result) : io::curve_topology_text(result, options);
+}
+
+std::string printed(const intersect::CylindersResult& result, const io::RunOptions& options,
+                    const std::optional<io::ProblemId>& id) {
+  if (options.format == io::Format::json) return io::cylinders_json(result, id);
+  return options.format == io::Format::csv ? io::cylinders_csv(result) : io::cylinders_text(result, options);
 }
 
 std::string printed(const intersect::SurfaceResult& result, const io::SurfaceDomains& domains,

@@ -17,6 +17,7 @@
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinders.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/match_candidates.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
@@ -67,6 +68,7 @@ const char* kind_of(const intersect::ImplicitizeProblem& /*problem*/) { return "
 const char* kind_of(const intersect::CurveTopologyProblem& /*problem*/) { return "curve_topology"; }
 const char* kind_of(const intersect::SurfaceSurfaceProblem& /*problem*/) { return "surface_surface"; }
 const char* kind_of(const intersect::SurfaceSelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
+const char* kind_of(const intersect::CylindersProblem& /*problem*/) { return "cylinders"; }
 
 void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
 
@@ -230,6 +232,16 @@ class Run {
                     return intersect::intersect_surface_with_itself(problem, options_.solve, context);
                   }),
                   io::domains_of(problem));
+  }
+
+  int solve(const intersect::CylindersProblem& problem) {
+    refuse_certificate();
+    const intersect::CylindersResult result =
+        watched([&](const Context& context) { return intersect::cylinders_through(problem, options_.solve, context); });
+    announce(result,
+             result.status == intersect::Status::infinite ? "infinitely many cylinders pass through the points" : "");
+    give(printed(result, options_, id_));
+    return exit_status(result.status);
   }
 
   int answer(const intersect::SurfaceResult& result, const io::SurfaceDomains& domains) {

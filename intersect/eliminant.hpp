@@ -8,6 +8,8 @@
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinders.hpp>
+#include <eliminant/intersect/enclosed_cylinders.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/plane_curves.hpp>

@@ -124,11 +124,18 @@ void echo(Json& out, const intersect::ImplicitizeProblem& problem) {
     out["surface"] = pieces_json(std::get<symbolic::ParametricSurface>(problem.geometry));
 }
 
+void echo(Json& out, const intersect::CylindersProblem& problem) {
+  out["points"] = Json::array();
+  for (const symbolic::SpacePoint& point : problem.points)
+    out["points"].push_back(Json::array({point[0].to_string(), point[1].to_string(), point[2].to_string()}));
+}
+
 }  // namespace
 
 std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  constexpr std::array kinds{"plane_curves", "curve_surface",  "curve_curve",     "self_intersection",
-                             "implicitize",  "curve_topology", "surface_surface", "self_intersection"};
+  constexpr std::array kinds{"plane_curves",      "curve_surface",     "curve_curve",
+                             "self_intersection", "implicitize",       "curve_topology",
+                             "surface_surface",   "self_intersection", "cylinders"};
   static_assert(kinds.size() == std::variant_size_v<Problem>);
   Json out;
   out["problem"] = kinds[file.problem.index()];

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <eliminant/io/curve_input.hpp>
+#include <eliminant/io/cylinders_input.hpp>
 #include <eliminant/io/implicitize_input.hpp>
 #include <eliminant/io/json_fields.hpp>
 #include <eliminant/io/json_text.hpp>
@@ -30,14 +31,15 @@ struct ProblemFields {
   std::vector<const char*> fields;
 };
 
-const std::array<ProblemFields, 7>& problem_fields() {
-  static const std::array<ProblemFields, 7> kinds{{
+const std::array<ProblemFields, 8>& problem_fields() {
+  static const std::array<ProblemFields, 8> kinds{{
       {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
       {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
       {"curve_curve", {"problem", "first", "second", "id", "options"}},
       {"surface_surface", {"problem", "first", "second", "id", "options"}},
       {"self_intersection", {"problem", "curve", "surface", "id", "options"}},
       {"curve_topology", {"problem", "p", "variables", "box", "id", "options"}},
+      {"cylinders", {"problem", "points", "id", "options"}},
       {"implicitize", {"problem", "curve", "surface", "id", "options"}},
   }};
   return kinds;
@@ -45,8 +47,8 @@ const std::array<ProblemFields, 7>& problem_fields() {
 
 constexpr const char* known_kinds =
     "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"surface_surface\", \"self_intersection\", "
-    "\"curve_topology\" or \"implicitize\"";
-constexpr std::array later_problems{"cylinders", "cylinder_extraction"};
+    "\"curve_topology\", \"cylinders\" or \"implicitize\"";
+constexpr std::array later_problems{"cylinder_extraction"};
 
 template <class Names>
 bool contains(const Names& names, std::string_view name) {
@@ -142,6 +144,11 @@ class Reader {
     refuse_variables();
     return std::visit([](auto&& problem) -> Problem { return std::forward<decltype(problem)>(problem); },
                       read_self_intersection(fields_, document_.root()));
+  }
+
+  intersect::CylindersProblem cylinders() const {
+    refuse_variables();
+    return read_cylinders(fields_, document_.root());
   }
 
   intersect::ImplicitizeProblem implicitize() const {
@@ -273,6 +280,8 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
     result.problem = reader.self_intersection();
   else if (kind == "curve_topology")
     result.problem = reader.curve_topology();
+  else if (kind == "cylinders")
+    result.problem = reader.cylinders();
   else
     result.problem = reader.implicitize();
   return result;

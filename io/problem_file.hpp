@@ -8,6 +8,7 @@
 
 #include <eliminant/intersect/curve_problems.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinders.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
 #include <eliminant/intersect/surface_surface.hpp>
@@ -20,11 +21,13 @@ namespace eliminant::io {
 using ProblemId = std::variant<std::string, long>;
 
 /// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "self_intersection" (of
-/// a curve), "implicitize", "curve_topology", "surface_surface", "self_intersection" (of a surface).
+/// a curve), "implicitize", "curve_topology", "surface_surface", "self_intersection" (of a surface),
+/// "cylinders".
 using Problem =
     std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem,
                  intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem, intersect::CurveTopologyProblem,
-                 intersect::SurfaceSurfaceProblem, intersect::SurfaceSelfIntersectionProblem>;
+                 intersect::SurfaceSurfaceProblem, intersect::SurfaceSelfIntersectionProblem,
+                 intersect::CylindersProblem>;
 
 /// A problem and what its author chose for it.
 struct ProblemFile {

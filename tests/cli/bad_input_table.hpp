@@ -98,7 +98,7 @@ inline std::vector<Row> rows() {
        invalid, 2, 11, "both given by equations", "at least one surface with parameters"},
       {"surfaces with a curve", "json", "{\"problem\": \"surface_surface\", \"curve\": {}}", invalid, 1, 32,
        "unknown field \"curve\"", "first, second"},
-      {"kind of a later version", "json", "{\"problem\": \"cylinders\"}", invalid, 1, 13,
+      {"kind of a later version", "json", "{\"problem\": \"cylinder_extraction\"}", invalid, 1, 13,
        "not supported by this version", "plane_curves"},
       {"no p", "json", "{\"problem\": \"plane_curves\", \"q\": \"y\"}", invalid, 1, 1, "\"p\" is missing",
        "a polynomial"},
