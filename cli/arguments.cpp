@@ -13,8 +13,6 @@ namespace eliminant::cli {
 
 namespace {
 
-constexpr std::array later_commands{"batch"};
-
 struct OptionText {
   const char* name;
   const char* value;
@@ -30,7 +28,7 @@ constexpr std::array<OptionText, 11> valued_options{{
     {"precision", "auto|53|128|256|512|1024", "bits of the numeric stage (default auto: climbs from 53)"},
     {"epsilon", "E", "threshold of the published numeric algorithm; never decides what is reported"},
     {"tolerance", "T", "of traced curves, relative to the size of the patches (default 1e-9)"},
-    {"threads", "N", "worker threads (default 1); the answer does not depend on it"},
+    {"threads", "N", "worker threads, of batch worker processes (default 1); the answer does not depend on it"},
     {"time-limit", "S", "seconds until the computation ends with status incomplete"},
     {"memory-limit", "MB", "address space of the process in megabytes"},
     {"seed", "N", "seed of the choice of primes (default 0); the answer does not depend on it"},
@@ -76,6 +74,26 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--quiet", arguments.quiet, "no warnings on standard error")->excludes(progress);
 }
 
+CLI::App* add_batch(CLI::App& app, Arguments& arguments) {
+  CLI::App* const batch =
+      app.add_subcommand("batch", "solve many problems, one a line; the results, one a line, in order");
+  batch->add_option("FILE", arguments.file, "problems in JSON, one a line; - is standard input")->required();
+  batch->add_flag("--resume", arguments.resume, "keep the results that the output has, solve the others");
+  batch->add_flag("--timings", arguments.timings, "write the field seconds, which differs from run to run");
+  batch->add_option("--shard", arguments.shard, "solve part I of N of the file alone")->type_name("I/N");
+  return batch;
+}
+
+// What batch does with the options of all commands.
+void check_batch(const Arguments& arguments) {
+  const auto refuse = [](const std::string& reason) { throw UsageError(reason + "; see eliminant batch --help"); };
+  for (const io::OptionSetting& setting : arguments.settings)
+    if (setting.name == "format" && setting.value != "json") refuse("batch writes JSON, not " + setting.value);
+  if (arguments.echo) refuse("--echo does not go with batch");
+  if (arguments.certificate) refuse("--certificate does not go with batch");
+  if (arguments.resume && !arguments.output) refuse("--resume continues the output of -o FILE");
+}
+
 // The option of verify is another one than that of the problem.
 void take_tolerance(Arguments& arguments) {
   for (const io::OptionSetting& setting : arguments.settings)
@@ -86,10 +104,6 @@ void take_tolerance(Arguments& arguments) {
 }  // namespace
 
 std::variant<Arguments, Information> parse_arguments(const std::vector<std::string>& words) {
-  if (!words.empty() && std::find(later_commands.begin(), later_commands.end(), words.front()) != later_commands.end())
-    throw UsageError("the command " + words.front() +
-                     " is not supported by this version; expected solve, curves, verify, implicitize or report");
-
   Arguments arguments;
   CLI::App app("Intersections of curves and surfaces by resultant matrices.", "eliminant");
   app.set_version_flag("--version", "eliminant " + std::string(version));
@@ -114,7 +128,8 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
       ->add_option("FILE", arguments.file,
                    "JSON: the problem implicitize, {\"curve\": ...}, {\"surface\": ...}, or a curve or surface itself")
       ->required();
-  for (CLI::App* command : {&app, solve, curves, verify, implicitize}) add_common_options(*command, arguments);
+  CLI::App* const batch = add_batch(app, arguments);
+  for (CLI::App* command : {&app, solve, curves, verify, implicitize, batch}) add_common_options(*command, arguments);
   CLI::App* const report = app.add_subcommand("report", "a picture of the result in a file");
   report->add_option("RESULT", arguments.file, "a result in JSON; - is standard input")->required();
   report->add_option("-o,--output", arguments.output, "the picture: FILE.svg, or FILE.html with tables")
@@ -138,10 +153,12 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
                       : curves->parsed()      ? Arguments::Command::curves
                       : implicitize->parsed() ? Arguments::Command::implicitize
                       : report->parsed()      ? Arguments::Command::report
+                      : batch->parsed()       ? Arguments::Command::batch
                                               : Arguments::Command::verify;
   if (report->parsed() &&
       !(arguments.output && (arguments.output->ends_with(".svg") || arguments.output->ends_with(".html"))))
     throw UsageError("report writes to -o FILE.svg or -o FILE.html; see eliminant report --help");
+  if (batch->parsed()) check_batch(arguments);
   if (verify->parsed()) take_tolerance(arguments);
   if (verify->parsed() && arguments.candidates.has_value() == arguments.certificate.has_value())
     throw UsageError("verify checks either CANDIDATES or --certificate FILE; see eliminant verify --help");

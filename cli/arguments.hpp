@@ -19,9 +19,9 @@ class UsageError : public Error {
 
 /// A command line that asks for an answer.
 struct Arguments {
-  enum class Command { solve, curves, verify, implicitize, report };
+  enum class Command { solve, curves, verify, implicitize, batch, report };
   Command command = Command::solve;
-  /// Of `solve`, `verify`, `implicitize` and `report`: a path, or "-" for standard input.
+  /// Of `solve`, `verify`, `implicitize`, `batch` and `report`: a path, or "-" for standard input.
   std::string file;
   /// Of `verify`: what is checked, where it is no certificate.
   std::optional<std::string> candidates;
@@ -30,6 +30,10 @@ struct Arguments {
   std::string p;
   std::string q;
   std::optional<std::string> box;
+  /// Of `batch`.
+  bool resume = false;
+  bool timings = false;
+  std::optional<std::string> shard;
 
   std::optional<std::string> variables;
   std::optional<std::string> output;

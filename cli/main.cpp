@@ -8,6 +8,7 @@
 
 #include <eliminant/cli/answer.hpp>
 #include <eliminant/cli/arguments.hpp>
+#include <eliminant/cli/batch.hpp>
 #include <eliminant/cli/report.hpp>
 #include <eliminant/cli/run.hpp>
 #include <eliminant/io/error_report.hpp>
@@ -41,7 +42,8 @@ int main(int argc, char** argv) {
       return 0;
     }
     const auto& arguments = std::get<cli::Arguments>(parsed);
-    return arguments.command == cli::Arguments::Command::report ? cli::report(arguments) : cli::run(arguments);
+    if (arguments.command == cli::Arguments::Command::report) return cli::report(arguments);
+    return arguments.command == cli::Arguments::Command::batch ? cli::solve_batch(arguments) : cli::run(arguments);
   } catch (const cli::UsageError& error) {
     return fail({"usage", 2, error.what(), {}, {}}, cli::format_in(words));
   } catch (const std::exception& error) {

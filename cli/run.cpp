@@ -2,8 +2,6 @@
 #include <eliminant/cli/run.hpp>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -12,7 +10,9 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/cli/hard_stop.hpp>
+#include <eliminant/cli/interruptible.hpp>
 #include <eliminant/cli/printed_result.hpp>
+#include <eliminant/cli/process_alarm.hpp>
 #include <eliminant/intersect/certificate_check.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
@@ -29,6 +29,7 @@
 #include <eliminant/io/implicitize_json.hpp>
 #include <eliminant/io/implicitize_text.hpp>
 #include <eliminant/io/input_text.hpp>
+#include <eliminant/io/json_layout.hpp>
 #include <eliminant/io/memory_limit.hpp>
 #include <eliminant/io/plane_curves_input.hpp>
 #include <eliminant/io/problem_echo.hpp>
@@ -41,25 +42,6 @@ namespace eliminant::cli {
 
 namespace {
 
-// What a signal handler may touch. The second Ctrl-C ends the process in the usual way.
-std::atomic<Context*> interrupted_context{nullptr};
-
-void cancel_computation(int signal) {
-  if (Context* const context = interrupted_context.load()) context->cancel();
-  std::signal(signal, SIG_DFL);
-}
-
-class Interruptible {
- public:
-  explicit Interruptible(Context& context) {
-    interrupted_context = &context;
-    std::signal(SIGINT, cancel_computation);
-  }
-  Interruptible(const Interruptible&) = delete;
-  Interruptible& operator=(const Interruptible&) = delete;
-  ~Interruptible() { interrupted_context = nullptr; }
-};
-
 const char* kind_of(const intersect::PlaneCurvesProblem& /*problem*/) { return "plane_curves"; }
 const char* kind_of(const intersect::CurveSurfaceProblem& /*problem*/) { return "curve_surface"; }
 const char* kind_of(const intersect::CurveCurveProblem& /*problem*/) { return "curve_curve"; }
@@ -70,9 +52,8 @@ const char* kind_of(const intersect::SurfaceSurfaceProblem& /*problem*/) { retur
 const char* kind_of(const intersect::SurfaceSelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
 const char* kind_of(const intersect::CylindersProblem& /*problem*/) { return "cylinders"; }
 
-void say(const std::string& line) { std::fprintf(stderr, "eliminant: %s\n", line.c_str()); }
-
-// One run; its members are what is known of the problem when an error comes.
+// One run; its members are what is known of the problem when an error comes. A run of the program reads a file and
+// writes the answer; one of a batch has its text, says nothing and keeps the answer.
 class Run {
  public:
   explicit Run(const Arguments& arguments)
@@ -80,6 +61,22 @@ class Run {
         answer_(arguments.output),
         certificate_(arguments.command == Arguments::Command::verify ? std::nullopt : arguments.certificate) {
     io::apply_options(options_, arguments.settings);
+  }
+
+  Run(const Arguments& arguments, const BatchLine& line)
+      : arguments_(arguments), line_(&line), answer_(std::nullopt), certificate_(std::nullopt) {
+    io::apply_options(options_, arguments.settings);
+  }
+
+  // The answer of one of a batch.
+  LineResult result() {
+    const io::KeptMemoryLimit kept;
+    {
+      std::optional<ProcessAlarm> alarm;
+      if (options_.time_limit_seconds) alarm.emplace(hard_limit(*options_.time_limit_seconds));
+      run();
+    }
+    return {io::json_on_one_line(given_), memory_exhausted_};
   }
 
   int run() {
@@ -91,6 +88,7 @@ class Run {
       options_ = {};
       io::apply_options(options_, file.options);
       io::apply_options(options_, arguments_.settings);
+      if (line_ != nullptr) be_one_of_many();
       if (options_.memory_limit_megabytes) io::limit_memory(*options_.memory_limit_megabytes);
       if (arguments_.echo) {
         give(io::echo_problem(file, options_));
@@ -105,11 +103,22 @@ class Run {
     } catch (const io::OutputError&) {
       throw;
     } catch (const std::exception& error) {
+      memory_exhausted_ = io::is_exhausted_memory(error);
       return fail(io::report_error(error));
     }
   }
 
  private:
+  // What a batch has decided for all its problems.
+  void be_one_of_many() {
+    options_.format = io::Format::json;
+    options_.solve.threads = 1;
+  }
+
+  void say(const std::string& line) const {
+    if (line_ == nullptr) std::fprintf(stderr, "eliminant: %s\n", line.c_str());
+  }
+
   io::ProblemFile read() {
     io::ReadSettings settings;
     if (arguments_.variables) {
@@ -123,16 +132,22 @@ class Run {
       io::require_text(arguments_.q, "Q");
       return io::problem_from_arguments(arguments_.p, arguments_.q, arguments_.box, settings);
     }
-    const bool implicitizing = arguments_.command == Arguments::Command::implicitize;
-    settings.bare_geometry = implicitizing;
+    settings.bare_geometry = arguments_.command == Arguments::Command::implicitize;
+    if (line_ != nullptr) {
+      io::require_text(line_->text, "the line");
+      return read(line_->text, io::ProblemSyntax::json, settings);
+    }
     const std::string text = io::read_text(arguments_.file);
     source_ = arguments_.file == "-" ? "standard input" : arguments_.file;
-    const io::ProblemSyntax syntax = io::problem_syntax(arguments_.file, text);
+    return read(text, io::problem_syntax(arguments_.file, text), settings);
+  }
+
+  io::ProblemFile read(const std::string& text, io::ProblemSyntax syntax, const io::ReadSettings& settings) {
     try {
       return io::read_problem(text, syntax, settings, &id_);
     } catch (...) {
       kind_ = io::stated_kind(text, syntax);
-      if (!kind_ && implicitizing) kind_ = "implicitize";
+      if (!kind_ && settings.bare_geometry) kind_ = "implicitize";
       throw;
     }
   }
@@ -143,19 +158,25 @@ class Run {
     Context context;
     if (arguments_.progress) {
       say("threads: " + std::to_string(options_.solve.threads));
-      context.on_progress([](std::string_view stage) { say(std::string(stage)); });
+      context.on_progress([this](std::string_view stage) { say(std::string(stage)); });
     }
     std::unique_ptr<HardStop> hard_stop;
+    std::optional<ProcessAlarm> alarm;
     if (options_.time_limit_seconds) {
       const double limit = *options_.time_limit_seconds;
       context.limit_seconds(std::min(limit, 1e8));
-      // Stages end by themselves at their next look at the clock; the process ends if none comes soon.
-      hard_stop = std::make_unique<HardStop>(limit + std::max(0.5, 0.1 * limit), [this] { stop_hard(); });
+      if (line_ != nullptr)
+        alarm.emplace(hard_limit(limit));
+      else
+        hard_stop = std::make_unique<HardStop>(hard_limit(limit), [this] { stop_hard(); });
     }
-    const Interruptible interruptible(context);
+    std::optional<Interruptible> interruptible;
+    if (line_ == nullptr) interruptible.emplace(context);
     solving_ = true;
     auto result = compute(context);
     solving_ = false;
+    if constexpr (requires { result.seconds.clear(); })
+      if (line_ != nullptr && !arguments_.timings) result.seconds.clear();
     return result;
   }
 
@@ -300,7 +321,11 @@ class Run {
   }
 
   // Says what went wrong and gives the answer that stands for it.
-  int fail(const io::ErrorReport& report) {
+  int fail(io::ErrorReport report) {
+    if (line_ != nullptr) {
+      be_one_of_many();
+      report.place.line = line_->number;
+    }
     say(io::error_line(report, source_));
     const bool incomplete = solving_ && report.exit_status == 3;
     if (options_.format == io::Format::json)
@@ -311,7 +336,10 @@ class Run {
   }
 
   void give(const std::string& text) {
-    if (answer_.claim()) answer_.write(text);
+    if (line_ != nullptr)
+      given_ = text;
+    else if (answer_.claim())
+      answer_.write(text);
   }
 
   void stop_hard() {
@@ -331,6 +359,9 @@ class Run {
   }
 
   const Arguments& arguments_;
+  const BatchLine* line_ = nullptr;
+  std::string given_;
+  bool memory_exhausted_ = false;
   Answer answer_;
   Answer certificate_;
   io::RunOptions options_;
@@ -343,5 +374,7 @@ class Run {
 }  // namespace
 
 int run(const Arguments& arguments) { return Run(arguments).run(); }
+
+LineResult result_line(const BatchLine& line, const Arguments& arguments) { return Run(arguments, line).result(); }
 
 }  // namespace eliminant::cli

@@ -102,7 +102,7 @@ std::string curve_result_json(const intersect::CurveResult& result, const std::o
     for (const intersect::Overlap& overlap : result.overlap) out["overlap"].push_back(overlap_json(overlap, shape));
   }
   out["engine"] = engine_json(result.engine);
-  out["seconds"] = seconds_json(result.seconds);
+  if (!result.seconds.empty()) out["seconds"] = seconds_json(result.seconds);
   out["warnings"] = result.warnings;
   return json_layout(out);
 }

@@ -57,7 +57,7 @@ std::string curve_topology_json(const intersect::TopologyResult& result, const s
   out["isolated"] = result.isolated;
   out["error"] = double_text(result.error);
   out["engine"] = engine_json(result.engine);
-  out["seconds"] = seconds_json(result.seconds);
+  if (!result.seconds.empty()) out["seconds"] = seconds_json(result.seconds);
   out["warnings"] = result.warnings;
   return json_layout(out);
 }

@@ -17,11 +17,14 @@ ErrorReport report_error(const std::exception& error) {
   if (const auto* limit = dynamic_cast<const LimitReached*>(&error))
     return {"limit", 3, limit->what(), {}, limit->place()};
   if (dynamic_cast<const PrecisionExhausted*>(&error) != nullptr) return {"precision", 3, error.what(), {}, {}};
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
-      dynamic_cast<const std::length_error*>(&error) != nullptr)
-    return {"limit", 3, "the memory is exhausted", {}, {}};
+  if (is_exhausted_memory(error)) return {"limit", 3, "the memory is exhausted", {}, {}};
   if (dynamic_cast<const OutputError*>(&error) != nullptr) return {"output", 1, error.what(), {}, {}};
   return {"internal", 1, error.what(), {}, {}};
+}
+
+bool is_exhausted_memory(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+         dynamic_cast<const std::length_error*>(&error) != nullptr;
 }
 
 std::string error_line(const ErrorReport& report, const std::string& source) {
@@ -39,7 +42,7 @@ nlohmann::ordered_json error_object(const ErrorReport& report) {
   error["message"] = report.message;
   const bool placed = report.place.line != 0;
   error["line"] = placed ? nlohmann::ordered_json(report.place.line) : nullptr;
-  error["column"] = placed ? nlohmann::ordered_json(report.place.column) : nullptr;
+  error["column"] = report.place.column != 0 ? nlohmann::ordered_json(report.place.column) : nullptr;
   error["expected"] = report.expected.empty() ? nullptr : nlohmann::ordered_json(report.expected);
   return error;
 }

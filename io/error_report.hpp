@@ -19,7 +19,7 @@ class OutputError : public Error {
 };
 
 /// What a user is told about an error. Kinds and their exit status (docs/errors.md): `parse_error`, `invalid_input` and
-/// `usage` 2; `limit` and `precision` 3; `output` and `internal` 1.
+/// `usage` 2; `limit` and `precision` 3; `output`, `crash` and `internal` 1.
 struct ErrorReport {
   std::string kind;
   int exit_status = 1;
@@ -29,6 +29,9 @@ struct ErrorReport {
 };
 
 ErrorReport report_error(const std::exception& error);
+
+/// Whether the memory was not enough.
+bool is_exhausted_memory(const std::exception& error);
 
 /// One line for standard error: `source:line:column: message; expected ...`, without what is not known.
 std::string error_line(const ErrorReport& report, const std::string& source);

@@ -78,7 +78,7 @@ std::string implicitize_json(const intersect::ImplicitizeResult& result, const s
   out["representations"] = Json::array();
   for (const intersect::PieceRepresentation& piece : result.pieces) out["representations"].push_back(piece_json(piece));
   out["engine"] = engine_json(result.engine);
-  out["seconds"] = seconds_json(result.seconds);
+  if (!result.seconds.empty()) out["seconds"] = seconds_json(result.seconds);
   out["warnings"] = result.warnings;
   return json_layout(out);
 }

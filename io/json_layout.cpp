@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace eliminant::io {
@@ -67,6 +68,20 @@ std::string json_layout(const nlohmann::ordered_json& value, std::size_t width) 
 std::string json_line(const nlohmann::ordered_json& value) {
   std::string out;
   write_line(value, unlimited, out);
+  return out;
+}
+
+std::string json_on_one_line(const std::string& layout) {
+  std::string out;
+  out.reserve(layout.size());
+  // A line break inside a text is escaped: each one is of the layout, and follows a comma where json_line has a blank.
+  for (std::size_t begin = 0; begin < layout.size();) {
+    const std::size_t end = std::min(layout.find('\n', begin), layout.size());
+    const std::size_t indented = std::min(layout.find_first_not_of(' ', begin), end);
+    if (!out.empty() && out.back() == ',') out += ' ';
+    out.append(layout, indented, end - indented);
+    begin = end + 1;
+  }
   return out;
 }
 

@@ -14,4 +14,7 @@ std::string json_layout(const nlohmann::ordered_json& value, std::size_t width =
 /// The same on one line, without a newline.
 std::string json_line(const nlohmann::ordered_json& value);
 
+/// The text of json_layout as json_line writes it: without its line breaks and indentation.
+std::string json_on_one_line(const std::string& layout);
+
 }  // namespace eliminant::io

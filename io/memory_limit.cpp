@@ -26,4 +26,21 @@ void limit_memory([[maybe_unused]] long megabytes) {
 #endif
 }
 
+KeptMemoryLimit::KeptMemoryLimit() {
+#if __has_include(<sys/resource.h>)
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  bytes_ = limit.rlim_cur;
+#endif
+}
+
+KeptMemoryLimit::~KeptMemoryLimit() {
+#if __has_include(<sys/resource.h>)
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = static_cast<rlim_t>(bytes_);
+  setrlimit(RLIMIT_AS, &limit);
+#endif
+}
+
 }  // namespace eliminant::io

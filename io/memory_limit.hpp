@@ -11,4 +11,16 @@ void prepare_arithmetic();
 /// effect where the system has no such limit.
 void limit_memory(long megabytes);
 
+/// Gives the process the limit back that it had when this object was made.
+class KeptMemoryLimit {
+ public:
+  KeptMemoryLimit();
+  KeptMemoryLimit(const KeptMemoryLimit&) = delete;
+  KeptMemoryLimit& operator=(const KeptMemoryLimit&) = delete;
+  ~KeptMemoryLimit();
+
+ private:
+  unsigned long long bytes_ = 0;
+};
+
 }  // namespace eliminant::io

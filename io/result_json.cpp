@@ -46,7 +46,7 @@ std::string result_json(const intersect::Result& result, const std::optional<Pro
   out["solutions"] = Json::array();
   for (const intersect::Solution& solution : result.solutions) out["solutions"].push_back(solution_json(solution));
   out["engine"] = engine_json(result.engine);
-  out["seconds"] = seconds_json(result.seconds);
+  if (!result.seconds.empty()) out["seconds"] = seconds_json(result.seconds);
   out["warnings"] = result.warnings;
   return json_layout(out);
 }

@@ -157,7 +157,7 @@ std::string surface_result_json(const intersect::SurfaceResult& result, const Su
     out["singular_points"].push_back(singular_point_json(point));
   if (result.projection) out["projection"] = projection_json(*result.projection, equation);
   out["engine"] = engine_json(result.engine);
-  out["seconds"] = seconds_json(result.seconds);
+  if (!result.seconds.empty()) out["seconds"] = seconds_json(result.seconds);
   out["warnings"] = result.warnings;
   return json_layout(out);
 }

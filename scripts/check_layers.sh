@@ -6,8 +6,8 @@
 #   symbolic/   is exact: no floating-point type, literal or function, no Eigen, Boost, MPFR, LAPACK (flint_headers.hpp
 #               includes MPFR for bridge/, as FLINT 3 wants it)
 #   numeric/    knows no FLINT and nothing of symbolic/
-#   cli/        only calls intersect/ and io/
-#   each layer  includes only itself and those below: base < symbolic, numeric < bridge < intersect < io < cli
+#   cli/, mpi/  only call intersect/, io/ and batch/
+#   each layer  includes only itself and those below: base < symbolic, numeric < bridge < intersect < io < batch < cli < mpi
 # Comments and string literals do not count. Prints every violation as file:line: text.
 set -euo pipefail
 root=${1:-$(cd "$(dirname "$0")/.." && pwd)}
@@ -39,7 +39,9 @@ my %rules = (
   bridge    => {may => 'base|symbolic|numeric|bridge'},
   intersect => {may => 'base|symbolic|numeric|bridge|intersect'},
   io        => {may => 'base|symbolic|numeric|bridge|intersect|io'},
-  cli       => {may => 'base|intersect|io|cli', headers => "$flint_headers|Eigen/|boost/|mpfr\\.h|lapack"},
+  batch     => {may => 'base|io|batch'},
+  cli       => {may => 'base|intersect|io|batch|cli', headers => "$flint_headers|Eigen/|boost/|mpfr\\.h|lapack"},
+  mpi       => {may => 'base|io|batch|cli|mpi', headers => "$flint_headers|Eigen/|boost/|mpfr\\.h|lapack"},
 );
 
 my ($files, $violations) = (0, 0);
