@@ -101,7 +101,7 @@ inline std::vector<Row> rows() {
       {"extraction without a cloud", "json", "{\"problem\": \"cylinder_extraction\"}", invalid, 1, 1,
        "the field \"cloud\" is missing", "the path of a point cloud"},
       {"cloud that is not there", "json",
-       "{\"problem\": \"cylinder_extraction\", \"cloud\": \"/nowhere/scan.ply\", \"distance\": 1}", invalid, 1, 46,
+       "{\"problem\": \"cylinder_extraction\", \"cloud\": \"/nowhere/scan.ply\", \"distance\": 1}", invalid, 1, 45,
        "the cloud '/nowhere/scan.ply' cannot be opened", "a point cloud"},
       {"no p", "json", "{\"problem\": \"plane_curves\", \"q\": \"y\"}", invalid, 1, 1, "\"p\" is missing",
        "a polynomial"},

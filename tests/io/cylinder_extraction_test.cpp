@@ -116,7 +116,7 @@ TEST_CASE("cylinder_extraction: the result as JSON, text and CSV") {
   const std::string text = cylinder_extraction_text(one_cylinder());
   CHECK(text ==
         "Status: numeric: computed, not proven complete\n\nCloud a <b>.ply\n"
-        "    10  points\n   = 7  on 1 cylinder\n   + 3  elsewhere\n\n"
+        "   10  points\n  = 7  on 1 cylinder\n  + 3  elsewhere\n\n"
         "Looked for: radius 0.05 to 2, 5 points or more within 0.01\n\n"
         "  #  direction      middle of the axis  radius  length  points  residual\n"
         "  1  (0, 0.6, 0.8)  (1, -2, 3)          0.5     4            7  0.00123\n");
