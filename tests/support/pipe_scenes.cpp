@@ -216,14 +216,15 @@ class Builder {
   std::vector<Elbow> elbows_;
 };
 
-bool is_right(const ScenePipe& pipe, const ScenePipe& found, double& degrees, double& radius) {
+bool is_right(const ScenePipe& pipe, const ScenePipe& found, bool ends, double& degrees, double& radius) {
   degrees = std::asin(std::min(1.0, length(cross(pipe.direction, unit(found.direction))))) * 180 / std::numbers::pi;
   radius = std::abs(found.radius - pipe.radius) / pipe.radius;
   const Vector direction = unit(found.direction);
   const Vector across = cross(pipe.middle - found.middle, direction);
-  return degrees <= 0.2 && radius <= 0.01 && length(across) <= 0.02 * pipe.radius &&
-         std::abs(dot(pipe.middle - found.middle, direction)) <= 0.1 * pipe.length + pipe.radius &&
-         std::abs(found.length - pipe.length) <= 0.2 * pipe.length + 2 * pipe.radius;
+  const bool same_axis = degrees <= 0.2 && radius <= 0.01 && length(across) <= 0.02 * pipe.radius;
+  const bool same_ends = std::abs(dot(pipe.middle - found.middle, direction)) <= 0.1 * pipe.length + pipe.radius &&
+                         std::abs(found.length - pipe.length) <= 0.2 * pipe.length + 2 * pipe.radius;
+  return same_axis && (same_ends || !ends);
 }
 
 }  // namespace
@@ -257,7 +258,7 @@ SceneRecipe speed_scene() {
   return recipe;
 }
 
-SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found) {
+SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found, bool ends) {
   SceneScore result;
   result.pipes = scene.pipes.size();
   result.found = found.size();
@@ -266,7 +267,7 @@ SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       double degrees = 0;
       double radius = 0;
-      if (used[i] || !is_right(pipe, found[i], degrees, radius)) continue;
+      if (used[i] || !is_right(pipe, found[i], ends, degrees, radius)) continue;
       used[i] = true;
       ++result.right;
       result.worst_degrees = std::max(result.worst_degrees, degrees);

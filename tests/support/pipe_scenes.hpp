@@ -59,8 +59,8 @@ std::vector<SceneRecipe> acceptance_scenes();
 SceneRecipe speed_scene();
 
 /// What a search found, compared with the truth: a cylinder is right when its direction is within 0.2 degrees of a
-/// pipe's, its radius within 1 %, its axis within 2 % of the radius at the pipe's middle, and its length within a
-/// fifth plus two radii; each pipe counts once.
+/// pipe's, its radius within 1 %, its axis within 2 % of the radius at the pipe's middle, and, with `ends`, its length
+/// within a fifth plus two radii; each pipe counts once.
 struct SceneScore {
   std::size_t right = 0;
   std::size_t found = 0;
@@ -72,6 +72,6 @@ struct SceneScore {
   double precision() const { return found == 0 ? 1 : static_cast<double>(right) / static_cast<double>(found); }
 };
 
-SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found);
+SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found, bool ends = true);
 
 }  // namespace eliminant::support
