@@ -21,7 +21,11 @@ using numeric::SpaceVector;
 /// Bounds the rounding errors of an evaluation, over the sum of the absolute coefficients.
 constexpr double rounding = 0x1p-46;
 
-/// The modulus within a few units in the last place; no overflow in sight.
+/// Forms with a smaller sum of absolute coefficients are left to others. Above it value errors exceed 2^-246, far more
+/// than the 2^-537 that squares of moduli can lose to underflow.
+constexpr double smallest_form = 0x1p-200;
+
+/// The modulus within a few units in the last place, or below 2^-500 within 2^-537.
 double size(const Complex& z) { return std::sqrt(z.real() * z.real() + z.imag() * z.imag()); }
 
 /// A form with middles and one bound for all that is uncertain in it.
@@ -183,6 +187,7 @@ std::optional<CertifiedDirections> certify_cylinder_directions(const ScaledOffse
   const auto forms = numeric::cylinder_direction_forms(points.offsets, weights, left_out);
   const RoundedForm<6> conic(forms.conic);
   const RoundedForm<10> cubic(forms.cubic);
+  if (!(conic.sum > smallest_form && cubic.sum > smallest_form)) return std::nullopt;
   for (std::size_t frame = 0; frame < numeric::direction_frames; ++frame) {
     CertifiedDirections directions;
     std::size_t count = 0;

@@ -153,34 +153,46 @@ ComplexRational as_printed(const Coordinate& coordinate, long exponent) {
           bridge::round_to_decimal(coordinate.ball.imaginary(), exponent).to_rational()};
 }
 
-ComplexRational squared_length(const std::array<ComplexRational, 3>& v) {
-  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+using ComplexVector = std::array<ComplexRational, 3>;
+
+BallVector ball_of(const ComplexVector& v, long precision_bits) {
+  return {v[0].ball(precision_bits), v[1].ball(precision_bits), v[2].ball(precision_bits)};
+}
+
+ComplexRational squared_length(const ComplexVector& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+
+/// Whether |t x d|^2 = r^2 (t.t), exactly.
+bool fits_exactly(const ComplexVector& t, const ComplexVector& d, const ComplexRational& r_squared) {
+  ComplexVector turned;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    turned[i] = t[j] * d[k] - t[k] * d[j];
+  }
+  return (squared_length(turned) - r_squared * squared_length(t)).is_zero();
 }
 
 /// CylinderSolution::residual_exponent.
-std::optional<long> residual_exponent(const Points& points, const CylinderSolution& solution) {
-  constexpr long precision_bits = 64;
-  std::array<ComplexRational, 3> t;
-  std::array<ComplexRational, 3> a;
+std::optional<long> residual_exponent(const Points& points, const CylinderSolution& solution, long precision_bits) {
+  ComplexVector t;
+  ComplexVector a;
   for (std::size_t i = 0; i < 3; ++i) {
     t[i] = as_printed(solution.direction[i], solution.direction_error_exponent);
     a[i] = as_printed(solution.axis_point[i], solution.axis_point_error_exponent);
   }
   const ComplexRational r_squared = as_printed(solution.radius_squared, solution.radius_squared_error_exponent);
-  const ComplexRational t_squared = squared_length(t);
-  if (t_squared.is_zero()) return unbounded_residual;
+  const BallVector t_ball = ball_of(t, precision_bits);
+  const ComplexBall t_squared = dot_product(t_ball, t_ball, precision_bits);
+  if (acb_contains_zero(t_squared.get()) != 0) return unbounded_residual;
   bridge::Magnitude largest;
   for (const SpacePoint& point : points) {
-    std::array<ComplexRational, 3> d;
-    for (std::size_t i = 0; i < 3; ++i) d[i] = ComplexRational{point[i], 0} - a[i];
-    std::array<ComplexRational, 3> turned;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const std::size_t k = (i + 2) % 3;
-      turned[i] = t[j] * d[k] - t[k] * d[j];
-    }
-    ComplexBall value = (squared_length(turned) - r_squared * t_squared).ball(precision_bits);
-    acb_div(value.get(), value.get(), t_squared.ball(precision_bits).get(), precision_bits);
+    ComplexVector d;
+    for (std::size_t i = 0; i < 3; ++i) d[i] = {point[i] - a[i].real, -a[i].imaginary};
+    const BallVector turned = cross_product(t_ball, ball_of(d, precision_bits), precision_bits);
+    ComplexBall value = dot_product(turned, turned, precision_bits);
+    acb_div(value.get(), value.get(), t_squared.get(), precision_bits);
+    acb_sub(value.get(), value.get(), r_squared.ball(precision_bits).get(), precision_bits);
+    if (acb_contains_zero(value.get()) != 0 && fits_exactly(t, d, r_squared)) continue;
     bridge::Magnitude bound;
     acb_get_mag(bound.get(), value.get());
     mag_max(largest.get(), largest.get(), bound.get());
@@ -245,18 +257,19 @@ std::optional<CylinderSolution> print_cylinder(const Points& points, const Cylin
   CylinderSolution solution;
   solution.reality = real ? Reality::real : Reality::non_real;
   solution.direction_error_exponent = -digits;
-  std::vector<const ComplexBall*> near_axis;
-  for (const ComplexBall& coordinate : cylinder.axis_point) near_axis.push_back(&coordinate);
-  std::vector<ComplexBall> given;
+  Rational largest;
   SpacePoint extent{0, 0, 0};
   for (const SpacePoint& point : points)
     for (std::size_t i = 0; i < 3; ++i) {
-      given.push_back(ball_of(point, precision_bits)[i]);
+      const Rational size = point[i].sign() < 0 ? -point[i] : point[i];
+      if (largest < size) largest = size;
       const Rational d = point[i] - points[0][i];
       extent[i] = extent[i] + d * d;
     }
-  for (const ComplexBall& coordinate : given) near_axis.push_back(&coordinate);
-  solution.axis_point_error_exponent = largest_magnitude(near_axis, digits) - digits;
+  ComplexBall largest_given;
+  acb_set_fmpq(largest_given.get(), largest.get(), precision_bits);
+  const auto& [x, y, z] = cylinder.axis_point;
+  solution.axis_point_error_exponent = largest_magnitude({&largest_given, &x, &y, &z}, digits) - digits;
   // A radius that may be 0 is measured by the extent of the points.
   ComplexBall squared_extent;
   acb_set_fmpq(squared_extent.get(), (extent[0] + extent[1] + extent[2]).get(), precision_bits);
@@ -277,7 +290,7 @@ std::optional<CylinderSolution> print_cylinder(const Points& points, const Cylin
     solution.radius = rounded(radius, solution.radius_error_exponent);
     if (!solution.radius) return std::nullopt;
   }
-  solution.residual_exponent = residual_exponent(points, solution);
+  solution.residual_exponent = residual_exponent(points, solution, precision_bits);
   return solution;
 }
 

@@ -122,21 +122,27 @@ std::array<Rational, 6> printed_direction(const CylinderSolution& solution) {
   return parts;
 }
 
-bool printed_boxes_meet(const CylinderSolution& u, const CylinderSolution& v) {
-  const auto radius = [](const CylinderSolution& solution) {
-    return bridge::Decimal{symbolic::Integer(1), solution.direction_error_exponent}.to_rational();
+/// A solution with the index of its direction and the numbers that are printed of that.
+struct FoundCylinder {
+  std::size_t index = 0;
+  CylinderSolution solution;
+  std::array<Rational, 6> direction;
+};
+
+bool printed_boxes_meet(const FoundCylinder& u, const FoundCylinder& v) {
+  const auto radius = [](const FoundCylinder& found) {
+    return bridge::Decimal{symbolic::Integer(1), found.solution.direction_error_exponent}.to_rational();
   };
   const Rational reach = radius(u) + radius(v);
-  const std::array<Rational, 6> a = printed_direction(u);
-  const std::array<Rational, 6> b = printed_direction(v);
   const auto near = [&reach](const Rational& x) { return !(reach < x) && !(reach < -x); };
   const auto meet = [&](bool negated) {
     for (std::size_t k = 0; k < 6; ++k)
-      if (!near(negated ? a[k] + b[k] : a[k] - b[k])) return false;
+      if (!near(negated ? u.direction[k] + v.direction[k] : u.direction[k] - v.direction[k])) return false;
     return true;
   };
   // The sign of a real direction that has two largest coordinates may differ from that of its neighbour.
-  return meet(false) || (u.reality == Reality::real && v.reality == Reality::real && meet(true));
+  const bool real = u.solution.reality == Reality::real && v.solution.reality == Reality::real;
+  return meet(false) || (real && meet(true));
 }
 
 /// One computation of all cylinders.
@@ -169,10 +175,17 @@ class CylinderSolver {
     solve(conditions);
   }
 
+  /// Adds the time since the last call to a stage.
   void finish(const std::string& stage) {
     const auto now = Clock::now();
     if (result_.seconds.empty()) result_.seconds.emplace_back("total", 0.0);
-    result_.seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    const double elapsed = std::chrono::duration<double>(now - last_).count();
+    const auto known = std::find_if(result_.seconds.begin(), result_.seconds.end(),
+                                    [&stage](const auto& entry) { return entry.first == stage; });
+    if (known == result_.seconds.end())
+      result_.seconds.emplace_back(stage, elapsed);
+    else
+      known->second += elapsed;
     result_.seconds.front().second = std::chrono::duration<double>(now - start_).count();
     last_ = now;
   }
@@ -221,7 +234,7 @@ class CylinderSolver {
   /// isotropic directions is known and no more can be isotropic, all of these are.
   bool print(const DirectionsInChart& solved, std::optional<unsigned long> isotropic) {
     const long precision_bits = bits_for_digits(working_.digits) + 64;
-    solutions_.clear();
+    found_.clear();
     unsigned long not_printed = 0;
     if (digits_.size() != solved.result.solutions.size())
       digits_.assign(solved.result.solutions.size(), options_.digits);
@@ -242,7 +255,8 @@ class CylinderSolver {
       printed->multiplicity = found.multiplicity;
       printed->certified = found.certified;
       printed->reason = found.reason;
-      solutions_.emplace_back(i, *std::move(printed));
+      std::array<Rational, 6> direction = printed_direction(*printed);
+      found_.push_back({i, *std::move(printed), std::move(direction)});
     }
     return not_printed == isotropic.value_or(0);
   }
@@ -251,11 +265,10 @@ class CylinderSolver {
   /// none.
   bool widen_crowded() {
     std::vector<bool> crowded(digits_.size(), false);
-    for (std::size_t i = 0; i < solutions_.size(); ++i) {
-      if (solutions_[i].second.residual_exponent == unbounded_residual) crowded[solutions_[i].first] = true;
-      for (std::size_t j = i + 1; j < solutions_.size(); ++j)
-        if (printed_boxes_meet(solutions_[i].second, solutions_[j].second))
-          crowded[solutions_[i].first] = crowded[solutions_[j].first] = true;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      if (found_[i].solution.residual_exponent == unbounded_residual) crowded[found_[i].index] = true;
+      for (std::size_t j = i + 1; j < found_.size(); ++j)
+        if (printed_boxes_meet(found_[i], found_[j])) crowded[found_[i].index] = crowded[found_[j].index] = true;
     }
     for (std::size_t i = 0; i < digits_.size(); ++i)
       if (crowded[i]) digits_[i] *= 2;
@@ -264,18 +277,17 @@ class CylinderSolver {
 
   void list() {
     CylinderCounts& counts = result_.counts;
-    std::vector<std::pair<std::array<Rational, 6>, CylinderSolution>> sorted;
-    for (auto& [index, solution] : solutions_) {
-      ++counts.distinct;
-      counts.with_multiplicity += solution.multiplicity;
-      if (solution.reality == Reality::real) ++counts.real;
-      if (options_.field == Field::real && solution.reality != Reality::real) continue;
-      sorted.emplace_back(printed_direction(solution), std::move(solution));
-    }
-    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-      return std::lexicographical_compare(a.first.begin(), a.first.end(), b.first.begin(), b.first.end());
+    std::stable_sort(found_.begin(), found_.end(), [](const FoundCylinder& a, const FoundCylinder& b) {
+      return std::lexicographical_compare(a.direction.begin(), a.direction.end(), b.direction.begin(),
+                                          b.direction.end());
     });
-    for (auto& [key, solution] : sorted) result_.solutions.push_back(std::move(solution));
+    for (FoundCylinder& found : found_) {
+      ++counts.distinct;
+      counts.with_multiplicity += found.solution.multiplicity;
+      const bool real = found.solution.reality == Reality::real;
+      if (real) ++counts.real;
+      if (options_.field != Field::real || real) result_.solutions.push_back(std::move(found.solution));
+    }
     counts.listed = result_.solutions.size();
   }
 
@@ -285,7 +297,7 @@ class CylinderSolver {
   const Context& context_;
   CylindersResult& result_;
   std::vector<long> digits_;
-  std::vector<std::pair<std::size_t, CylinderSolution>> solutions_;
+  std::vector<FoundCylinder> found_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };

@@ -23,7 +23,10 @@ double middle(const DoubleInterval& x) { return x.lower + (x.upper - x.lower) / 
 /// Bounds the distance of every number of the interval from its middle.
 double error_of(const DoubleInterval& x) { return (x.upper - x.lower) * (0.5 + 0x1p-50) + 0x1p-51 * x.magnitude(); }
 
-/// nullopt where an enclosure is not finite or the radius may be 0.
+/// Wider enclosures of the direction, or relative to it of the radius, are left to exact arithmetic.
+constexpr double widest_enclosure = 1e-6;
+
+/// nullopt where an enclosure is wide, or not finite.
 std::optional<EnclosedCylinder> enclose(const bridge::ScaledOffsets& offsets, const std::array<double, 3>& first,
                                         const bridge::CertifiedDirection& direction) {
   const bridge::EnclosedAxis axis = bridge::enclose_axis(offsets, direction);
@@ -47,7 +50,8 @@ std::optional<EnclosedCylinder> enclose(const bridge::ScaledOffsets& offsets, co
   const DoubleInterval radius = DoubleInterval(scale) * root;
   result.cylinder.radius = middle(radius);
   result.radius_error = error_of(radius);
-  if (!std::isfinite(result.cylinder.radius + result.radius_error)) return std::nullopt;
+  if (!(result.radius_error <= widest_enclosure * result.cylinder.radius) || result.direction_error > widest_enclosure)
+    return std::nullopt;
   return result;
 }
 

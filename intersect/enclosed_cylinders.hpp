@@ -12,9 +12,9 @@ namespace eliminant::intersect {
 /// A real cylinder in doubles, with proven bounds of the distance of the true numbers, in each coordinate.
 struct EnclosedCylinder {
   numeric::Cylinder cylinder;
-  double direction_error = 0;
+  double direction_error = 0;  ///< at most 1e-6
   double axis_point_error = 0;
-  double radius_error = 0;
+  double radius_error = 0;  ///< at most 1e-6 of the radius
   unsigned long multiplicity = 1;
 };
 
