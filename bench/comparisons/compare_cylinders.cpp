@@ -76,6 +76,7 @@ int main(int argc, char** argv) {
   recipes.push_back(support::speed_scene());
   fmt::print("| scene | points | outliers | besides | eliminant: right / found | s | PCL: right / found | s |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  std::fflush(stdout);
   for (std::size_t i = first - 1; i < std::min(last, recipes.size()); ++i) {
     const support::SceneRecipe& recipe = recipes[i];
     const support::PipeScene scene = support::pipe_scene(recipe);

@@ -18,7 +18,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
 
 constexpr int neighbours = 24;
-constexpr int most_iterations = 20000;
+constexpr int most_iterations = 5000;
 
 Normals::Ptr normals_of(const Cloud::Ptr& cloud) {
   pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
