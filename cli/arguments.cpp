@@ -66,6 +66,9 @@ void add_common_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--variables", arguments.variables, "names and order of the two variables")->type_name("x,y");
   app.add_option("-o,--output", arguments.output, "write the answer to FILE instead of standard output")
       ->type_name("FILE");
+  app.add_option("--labels", arguments.labels,
+                 "cylinder_extraction: write the cloud to FILE.ply, each point with the index of its cylinder")
+      ->type_name("FILE");
   app.add_option("--certificate", arguments.certificate,
                  "plane curves: write a certificate of the result to FILE; verify: the certificate to check")
       ->type_name("FILE");
@@ -91,6 +94,7 @@ void check_batch(const Arguments& arguments) {
     if (setting.name == "format" && setting.value != "json") refuse("batch writes JSON, not " + setting.value);
   if (arguments.echo) refuse("--echo does not go with batch");
   if (arguments.certificate) refuse("--certificate does not go with batch");
+  if (arguments.labels) refuse("--labels does not go with batch");
   if (arguments.resume && !arguments.output) refuse("--resume continues the output of -o FILE");
 }
 
@@ -164,6 +168,8 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
     throw UsageError("verify checks either CANDIDATES or --certificate FILE; see eliminant verify --help");
   if (!verify->parsed() && arguments.certificate && arguments.certificate == arguments.output)
     throw UsageError("the answer and the certificate cannot go to the same file");
+  if (arguments.labels && (arguments.labels == arguments.output || arguments.labels == arguments.certificate))
+    throw UsageError("the answer, the certificate and the labels cannot go to the same file");
   if (verify->parsed() && arguments.file == "-" && (arguments.candidates == "-" || arguments.certificate == "-"))
     throw UsageError("verify cannot read both files from standard input");
   return arguments;

@@ -39,6 +39,8 @@ struct Arguments {
   std::optional<std::string> output;
   /// Where the certificate is written; of `verify` where it is read.
   std::optional<std::string> certificate;
+  /// Where the labelled cloud is written.
+  std::optional<std::string> labels;
   std::vector<io::OptionSetting> settings;
   bool echo = false;
   bool progress = false;

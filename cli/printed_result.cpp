@@ -7,6 +7,9 @@
 #include <eliminant/io/curve_topology_csv.hpp>
 #include <eliminant/io/curve_topology_json.hpp>
 #include <eliminant/io/curve_topology_text.hpp>
+#include <eliminant/io/cylinder_extraction_csv.hpp>
+#include <eliminant/io/cylinder_extraction_json.hpp>
+#include <eliminant/io/cylinder_extraction_text.hpp>
 #include <eliminant/io/cylinders_csv.hpp>
 #include <eliminant/io/cylinders_json.hpp>
 #include <eliminant/io/cylinders_text.hpp>
@@ -41,6 +44,14 @@ std::string printed(const intersect::CylindersResult& result, const io::RunOptio
                     const std::optional<io::ProblemId>& id) {
   if (options.format == io::Format::json) return io::cylinders_json(result, id);
   return options.format == io::Format::csv ? io::cylinders_csv(result) : io::cylinders_text(result, options);
+}
+
+std::string printed(const intersect::CylinderExtractionResult& result, const io::RunOptions& options,
+                    const std::optional<io::ProblemId>& id) {
+  const long digits = options.solve.digits;
+  if (options.format == io::Format::json) return io::cylinder_extraction_json(result, id, digits);
+  return options.format == io::Format::csv ? io::cylinder_extraction_csv(result, digits)
+                                           : io::cylinder_extraction_text(result);
 }
 
 std::string printed(const intersect::SurfaceResult& result, const io::SurfaceDomains& domains,

@@ -6,6 +6,7 @@
 
 #include <eliminant/intersect/curve_result.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinder_extraction.hpp>
 #include <eliminant/intersect/cylinders.hpp>
 #include <eliminant/intersect/result.hpp>
 #include <eliminant/intersect/surface_result.hpp>
@@ -22,6 +23,8 @@ std::string printed(const intersect::CurveResult& result, const io::RunOptions& 
 std::string printed(const intersect::TopologyResult& result, const io::RunOptions& options,
                     const std::optional<io::ProblemId>& id);
 std::string printed(const intersect::CylindersResult& result, const io::RunOptions& options,
+                    const std::optional<io::ProblemId>& id);
+std::string printed(const intersect::CylinderExtractionResult& result, const io::RunOptions& options,
                     const std::optional<io::ProblemId>& id);
 std::string printed(const intersect::SurfaceResult& result, const io::SurfaceDomains& domains,
                     const io::RunOptions& options, const std::optional<io::ProblemId>& id);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -17,6 +18,7 @@
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinder_extraction.hpp>
 #include <eliminant/intersect/cylinders.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/match_candidates.hpp>
@@ -32,6 +34,7 @@
 #include <eliminant/io/json_layout.hpp>
 #include <eliminant/io/memory_limit.hpp>
 #include <eliminant/io/plane_curves_input.hpp>
+#include <eliminant/io/ply_file.hpp>
 #include <eliminant/io/problem_echo.hpp>
 #include <eliminant/io/problem_file.hpp>
 #include <eliminant/io/stated_kind.hpp>
@@ -51,6 +54,7 @@ const char* kind_of(const intersect::CurveTopologyProblem& /*problem*/) { return
 const char* kind_of(const intersect::SurfaceSurfaceProblem& /*problem*/) { return "surface_surface"; }
 const char* kind_of(const intersect::SurfaceSelfIntersectionProblem& /*problem*/) { return "self_intersection"; }
 const char* kind_of(const intersect::CylindersProblem& /*problem*/) { return "cylinders"; }
+const char* kind_of(const intersect::CylinderExtractionProblem& /*problem*/) { return "cylinder_extraction"; }
 
 // One run; its members are what is known of the problem when an error comes. A run of the program reads a file and
 // writes the answer; one of a batch has its text, says nothing and keeps the answer.
@@ -60,6 +64,7 @@ class Run {
       : arguments_(arguments),
         answer_(arguments.output),
         certificate_(arguments.command == Arguments::Command::verify ? std::nullopt : arguments.certificate) {
+    if (arguments.labels) labels_.emplace(arguments.labels);
     io::apply_options(options_, arguments.settings);
   }
 
@@ -98,6 +103,8 @@ class Run {
       if (arguments_.command == Arguments::Command::implicitize && kind_ != "implicitize")
         throw InvalidInput("implicitize is for one curve or surface, the problem is of the kind " + *kind_,
                            "a problem of the kind implicitize, or the command solve");
+      if (labels_ && kind_ != "cylinder_extraction")
+        throw InvalidInput("--labels does not go with " + *kind_, "a problem of the kind cylinder_extraction");
       return std::visit([&](const auto& problem) { return verifying ? verify(problem) : solve(problem); },
                         file.problem);
     } catch (const io::OutputError&) {
@@ -133,6 +140,7 @@ class Run {
       return io::problem_from_arguments(arguments_.p, arguments_.q, arguments_.box, settings);
     }
     settings.bare_geometry = arguments_.command == Arguments::Command::implicitize;
+    if (arguments_.file != "-") settings.folder = std::filesystem::path(arguments_.file).parent_path().string();
     if (line_ != nullptr) {
       io::require_text(line_->text, "the line");
       return read(line_->text, io::ProblemSyntax::json, settings);
@@ -265,6 +273,16 @@ class Run {
     return exit_status(result.status);
   }
 
+  int solve(const intersect::CylinderExtractionProblem& problem) {
+    refuse_certificate();
+    const intersect::CylinderExtractionResult result =
+        watched([&](const Context& context) { return intersect::extract_cylinders(problem, options_.solve, context); });
+    announce(result, "");
+    if (labels_) labels_->write(io::labelled_ply(problem.points, result.labels));
+    give(printed(result, options_, id_));
+    return exit_status(result.status);
+  }
+
   int answer(const intersect::SurfaceResult& result, const io::SurfaceDomains& domains) {
     announce(result, "");
     give(printed(result, domains, options_, id_));
@@ -364,6 +382,7 @@ class Run {
   bool memory_exhausted_ = false;
   Answer answer_;
   Answer certificate_;
+  std::optional<Answer> labels_;
   io::RunOptions options_;
   std::optional<std::string> kind_;
   std::optional<io::ProblemId> id_;

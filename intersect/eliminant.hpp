@@ -8,6 +8,7 @@
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinder_extraction.hpp>
 #include <eliminant/intersect/cylinders.hpp>
 #include <eliminant/intersect/enclosed_cylinders.hpp>
 #include <eliminant/intersect/implicitize.hpp>

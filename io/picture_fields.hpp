@@ -30,4 +30,7 @@ void explain(Picture& picture, PictureShape shape, const std::string& text);
 /// The picture of a result of `surface_surface`, or of `self_intersection` of a surface.
 void draw_surface_result(Picture& picture, const JsonValue& result);
 
+/// The picture of a result of `cylinder_extraction`.
+void draw_cylinder_extraction(Picture& picture, const JsonValue& result);
+
 }  // namespace eliminant::io

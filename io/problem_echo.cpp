@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include <eliminant/io/curve_topology_words.hpp>
 #include <eliminant/io/json_layout.hpp>
 #include <eliminant/io/univariate_text.hpp>
 
@@ -130,12 +131,21 @@ void echo(Json& out, const intersect::CylindersProblem& problem) {
     out["points"].push_back(Json::array({point[0].to_string(), point[1].to_string(), point[2].to_string()}));
 }
 
+void echo(Json& out, const intersect::CylinderExtractionProblem& problem) {
+  out["cloud"] = problem.cloud;
+  out["distance"] = double_text(problem.distance);
+  if (problem.min_radius) out["min_radius"] = double_text(*problem.min_radius);
+  if (problem.max_radius) out["max_radius"] = double_text(*problem.max_radius);
+  if (problem.min_inliers) out["min_inliers"] = *problem.min_inliers;
+  out["confidence"] = double_text(problem.confidence);
+}
+
 }  // namespace
 
 std::string echo_problem(const ProblemFile& file, const RunOptions& options) {
-  constexpr std::array kinds{"plane_curves",      "curve_surface",     "curve_curve",
-                             "self_intersection", "implicitize",       "curve_topology",
-                             "surface_surface",   "self_intersection", "cylinders"};
+  constexpr std::array kinds{"plane_curves", "curve_surface",      "curve_curve",     "self_intersection",
+                             "implicitize",  "curve_topology",     "surface_surface", "self_intersection",
+                             "cylinders",    "cylinder_extraction"};
   static_assert(kinds.size() == std::variant_size_v<Problem>);
   Json out;
   out["problem"] = kinds[file.problem.index()];

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <eliminant/io/curve_input.hpp>
+#include <eliminant/io/cylinder_extraction_input.hpp>
 #include <eliminant/io/cylinders_input.hpp>
 #include <eliminant/io/implicitize_input.hpp>
 #include <eliminant/io/json_fields.hpp>
@@ -31,8 +32,8 @@ struct ProblemFields {
   std::vector<const char*> fields;
 };
 
-const std::array<ProblemFields, 8>& problem_fields() {
-  static const std::array<ProblemFields, 8> kinds{{
+const std::array<ProblemFields, 9>& problem_fields() {
+  static const std::array<ProblemFields, 9> kinds{{
       {"plane_curves", {"problem", "p", "q", "variables", "box", "id", "options"}},
       {"curve_surface", {"problem", "curve", "surface", "id", "options"}},
       {"curve_curve", {"problem", "first", "second", "id", "options"}},
@@ -40,6 +41,8 @@ const std::array<ProblemFields, 8>& problem_fields() {
       {"self_intersection", {"problem", "curve", "surface", "id", "options"}},
       {"curve_topology", {"problem", "p", "variables", "box", "id", "options"}},
       {"cylinders", {"problem", "points", "id", "options"}},
+      {"cylinder_extraction",
+       {"problem", "cloud", "distance", "min_radius", "max_radius", "min_inliers", "confidence", "id", "options"}},
       {"implicitize", {"problem", "curve", "surface", "id", "options"}},
   }};
   return kinds;
@@ -47,8 +50,7 @@ const std::array<ProblemFields, 8>& problem_fields() {
 
 constexpr const char* known_kinds =
     "\"plane_curves\", \"curve_surface\", \"curve_curve\", \"surface_surface\", \"self_intersection\", "
-    "\"curve_topology\", \"cylinders\" or \"implicitize\"";
-constexpr std::array later_problems{"cylinder_extraction"};
+    "\"curve_topology\", \"cylinders\", \"cylinder_extraction\" or \"implicitize\"";
 
 template <class Names>
 bool contains(const Names& names, std::string_view name) {
@@ -90,11 +92,7 @@ class Reader {
       check_fields(known.fields);
       return problem->text;
     }
-    refuse(*problem,
-           contains(later_problems, problem->text)
-               ? "the problem kind \"" + problem->text + "\" is not supported by this version"
-               : "unknown problem kind \"" + problem->text.substr(0, 40) + "\"",
-           known_kinds);
+    refuse(*problem, "unknown problem kind \"" + problem->text.substr(0, 40) + "\"", known_kinds);
   }
 
   intersect::PlaneCurvesProblem plane_curves() const {
@@ -149,6 +147,11 @@ class Reader {
   intersect::CylindersProblem cylinders() const {
     refuse_variables();
     return read_cylinders(fields_, document_.root());
+  }
+
+  intersect::CylinderExtractionProblem cylinder_extraction() const {
+    refuse_variables();
+    return read_cylinder_extraction(fields_, document_.root(), settings_.folder);
   }
 
   intersect::ImplicitizeProblem implicitize() const {
@@ -282,6 +285,8 @@ ProblemFile read_problem(const std::string& text, ProblemSyntax syntax, const Re
     result.problem = reader.curve_topology();
   else if (kind == "cylinders")
     result.problem = reader.cylinders();
+  else if (kind == "cylinder_extraction")
+    result.problem = reader.cylinder_extraction();
   else
     result.problem = reader.implicitize();
   return result;

@@ -8,6 +8,7 @@
 
 #include <eliminant/intersect/curve_problems.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/cylinder_extraction.hpp>
 #include <eliminant/intersect/cylinders.hpp>
 #include <eliminant/intersect/implicitize.hpp>
 #include <eliminant/intersect/plane_curves.hpp>
@@ -22,12 +23,12 @@ using ProblemId = std::variant<std::string, long>;
 
 /// The problems that files hold, by their kind: "plane_curves", "curve_surface", "curve_curve", "self_intersection" (of
 /// a curve), "implicitize", "curve_topology", "surface_surface", "self_intersection" (of a surface),
-/// "cylinders".
+/// "cylinders", "cylinder_extraction".
 using Problem =
     std::variant<intersect::PlaneCurvesProblem, intersect::CurveSurfaceProblem, intersect::CurveCurveProblem,
                  intersect::SelfIntersectionProblem, intersect::ImplicitizeProblem, intersect::CurveTopologyProblem,
                  intersect::SurfaceSurfaceProblem, intersect::SurfaceSelfIntersectionProblem,
-                 intersect::CylindersProblem>;
+                 intersect::CylindersProblem, intersect::CylinderExtractionProblem>;
 
 /// A problem and what its author chose for it.
 struct ProblemFile {
@@ -45,6 +46,8 @@ struct ReadSettings {
   symbolic::Limits limits;
   /// A text without "problem" is one for implicitize: {"curve": ...}, {"surface": ...}, or a curve or surface itself.
   bool bare_geometry = false;
+  /// Where the names of files in a problem begin; empty: the working directory.
+  std::string folder;
 };
 
 /// msolve for the name `*.ms`; else by the first character: JSON begins with "{" or "[", and has quotes.

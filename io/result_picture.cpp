@@ -188,10 +188,14 @@ Picture result_picture(const std::string& text) {
   } else if (kind == "plane_curves") {
     picture.title = "Common points of two plane curves";
     draw_plane_curves(picture, result);
+  } else if (kind == "cylinder_extraction") {
+    picture.title = "Cylinders in a point cloud";
+    draw_cylinder_extraction(picture, result);
   } else {
-    throw InvalidInput("there is no picture of results of the kind \"" + kind.substr(0, 40) + "\"",
-                       "surface_surface, self_intersection of a surface, curve_topology or plane_curves",
-                       document.place_of(result));
+    throw InvalidInput(
+        "there is no picture of results of the kind \"" + kind.substr(0, 40) + "\"",
+        "surface_surface, self_intersection of a surface, curve_topology, plane_curves or cylinder_extraction",
+        document.place_of(result));
   }
   if (!id.empty()) picture.title += ": " + id;
   return picture;

@@ -55,7 +55,7 @@ TEST_CASE("Border curves: several meetings, and none at parameters beyond the en
   CHECK(is_near(meetings[0], 0.25, 0.25));
   CHECK(is_near(meetings[1], 0.75, 0.75));
   // Another interval: x = s / 2.
-  const Pair half({"u", "(4*u - 1)*(4*u - 3) + v", "v"}, {"u/2", "-v", "0"});
+  Pair half({"u", "(4*u - 1)*(4*u - 3) + v", "v"}, {"u/2", "-v", "0"});
   meetings = half.curves.meetings(1, -1, 3, -1);
   REQUIRE(meetings.size() == 1);
   CHECK(is_near(meetings[0], 0.25, 0.5));
