@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <eliminant/bridge/cell_box.hpp>
+#include <eliminant/bridge/contact_series.hpp>
+#include <eliminant/bridge/control_net.hpp>
+#include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/bridge/interval_polynomial.hpp>
+#include <eliminant/symbolic/elimination/contact_identity.hpp>
+
+namespace eliminant::bridge {
+
+/// A point in which one smooth branch of the intersection crosses a curve of contact, all of the intersection in a box.
+struct CurveCrossing {
+  /// u, v, s, t.
+  std::array<double, 4> parameters{};
+  /// Each parameter is wrong by at most that.
+  double radius = 0;
+  /// Whether the point is in the box; else the branch passes the box without it.
+  bool inside = true;
+  /// The parameters relative to the point, multiplied by these and added, grow strictly along the branch.
+  std::array<double, 4> growing{};
+  /// Bounds the distance in space of the branch from its chord from the point to another one of it in the box.
+  double chord_error = 0;
+};
+
+/// A curve along which two patches touch, and what is proven of the intersection around it.
+///
+/// With (s, t) as the function of (u, v) that keeps the coordinates along a tangent plane equal, the rest h(u, v) of the
+/// difference vanishes to second order on the curve. Where the curve meets every line of one direction in a
+/// parallelogram and the second derivative of h in that direction has one sign, h has no other zero there (Rolle).
+/// Where the third one has one sign, each line has one zero more, which moves along one smooth branch; it crosses the
+/// curve once where the second derivative changes its sign along the curve, monotonically.
+class ContactCurve {
+ public:
+  /// The curve is in the parameters of `base`, which is the second patch where `swapped`. The relation must have been
+  /// proven (symbolic::touch_along). The nets must outlive the object.
+  ContactCurve(const ControlNet& base, const ControlNet& other, symbolic::ContactRelation relation, bool swapped);
+
+  const symbolic::ContactRelation& relation() const { return relation_; }
+  bool swapped() const { return swapped_; }
+  /// u, v, s, t at parameters of the base on the curve, approximately.
+  std::array<double, 4> parameters_at(const std::array<double, 2>& base) const;
+
+  /// From a point of the base's parameters to the curve, to first order; with a sign.
+  double distance_from(const std::array<double, 2>& base) const;
+
+  /// True where it is proven that every common point in the box is a point of the curve.
+  bool explains(const CellBox& box) const;
+
+  /// nullopt where it is not proven that all common points in the box are points of the curve and of one branch that
+  /// crosses it.
+  std::optional<CurveCrossing> crossing(const CellBox& box) const;
+
+ private:
+  struct Region;
+
+  CellBox in_base_order(const CellBox& box) const;
+  std::array<double, 2> nearest(std::array<double, 2> at) const;
+  std::array<double, 2> gradient(const std::array<double, 2>& at) const;
+  std::optional<Region> region(const CellBox& box, const std::array<double, 2>& origin,
+                               const std::array<double, 2>& across, const std::array<double, 2>& along,
+                               std::size_t order) const;
+  /// The derivative of h at a point of the curve, approximately.
+  double derivative_near(const std::array<double, 2>& at, const std::array<double, 2>& direction,
+                         std::size_t order) const;
+  std::optional<std::array<double, 2>> crossing_near(const std::array<double, 2>& start, double reach) const;
+
+  const ControlNet& base_;
+  const ControlNet& other_;
+  symbolic::ContactRelation relation_;
+  bool swapped_;
+  IntervalPolynomial curve_;
+  std::array<IntervalPolynomial, 2> by_;
+  std::array<IntervalPolynomial, 2> numerator_;
+  std::array<IntervalPolynomial, 2> denominator_;
+};
+
+}  // namespace eliminant::bridge

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/contact_curves.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <eliminant/bridge/contact_curve_points.hpp>
+#include <eliminant/bridge/contact_relation_fit.hpp>
+#include <eliminant/symbolic/geometry/bezier.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+std::vector<symbolic::Polynomial> polynomials_of(const ExactNet& net) {
+  const std::size_t row = net.degrees[1] + 1;
+  std::vector<std::vector<symbolic::ControlPoint>> rows(net.degrees[0] + 1);
+  for (std::size_t i = 0; i < net.points.size(); ++i)
+    rows[i / row].emplace_back(net.points[i].begin(), net.points[i].end());
+  return symbolic::bezier_patch(rows).map.coordinates();
+}
+
+}  // namespace
+
+const std::vector<symbolic::Polynomial>& ContactCurves::coordinates(bool of_second) {
+  std::vector<symbolic::Polynomial>& result = coordinates_[of_second ? 1 : 0];
+  if (result.empty()) result = polynomials_of(of_second ? exact_second_ : exact_first_);
+  return result;
+}
+
+bool ContactCurves::is_known(const std::array<double, 4>& point) const {
+  return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) {
+    const std::size_t base = curve.swapped() ? 2 : 0;
+    const std::array<double, 4> there = curve.parameters_at({point[base], point[base + 1]});
+    constexpr double near = 1e-7;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (!(std::fabs(there[k] - point[k]) < near)) return false;
+    return std::fabs(curve.distance_from({point[base], point[base + 1]})) < near;
+  });
+}
+
+bool ContactCurves::find(const std::array<double, 4>& near, double reach) {
+  if (attempts_ == 0 || equations_ == 0) return false;
+  --attempts_;
+  const auto points = contact_curve_points(first_, second_, near, reach);
+  if (points.empty() || is_known(points.front())) return false;
+  if (recognise(points, false) || recognise(points, true)) return true;
+  --equations_;
+  return false;
+}
+
+bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, bool swapped) {
+  std::vector<std::array<double, 4>> ordered = points;
+  if (swapped)
+    for (std::array<double, 4>& p : ordered) p = {p[2], p[3], p[0], p[1]};
+  const auto relation = contact_relation_fit(ordered);
+  if (!relation || !symbolic::touch_along(coordinates(swapped), coordinates(!swapped), *relation)) return false;
+  if (swapped)
+    curves_.emplace_back(second_, first_, *relation, true);
+  else
+    curves_.emplace_back(first_, second_, *relation, false);
+  return true;
+}
+
+bool ContactCurves::explains(const CellBox& box) const {
+  return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) { return curve.explains(box); });
+}
+
+std::optional<CellBox> ContactCurves::explained_around(const std::array<double, 4>& point,
+                                                       const std::array<double, 4>& half_width) const {
+  if (curves_.empty()) return std::nullopt;
+  constexpr int most_halvings = 12;
+  for (int i = 0; i < most_halvings; ++i) {
+    CellBox box;
+    for (std::size_t k = 0; k < 4; ++k) {
+      // Widths that stand for roundings stay.
+      constexpr double least = 0x1p-40;
+      const double half = std::max(std::ldexp(half_width[k], -i), std::min(half_width[k], least));
+      box.lower[k] = point[k] - half;
+      box.upper[k] = point[k] + half;
+    }
+    if (explains(box)) return box;
+  }
+  return std::nullopt;
+}
+
+std::optional<ContactCurves::Crossing> ContactCurves::crossing(const CellBox& box) const {
+  for (std::size_t i = 0; i < curves_.size(); ++i)
+    if (const auto found = curves_[i].crossing(box)) {
+      Crossing result;
+      static_cast<CurveCrossing&>(result) = *found;
+      result.curve = i;
+      return result;
+    }
+  return std::nullopt;
+}
+
+}  // namespace eliminant::bridge
