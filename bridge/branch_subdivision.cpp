@@ -364,7 +364,7 @@ class Subdivision {
     limits.largest_radius = 0x1p-12;
     limits.part = *std::max_element(cell.width.begin(), cell.width.end());
     FindContact find_contact;
-    if (curves_ != nullptr && !curves_->curves().empty())
+    if (curves_ != nullptr)
       find_contact = [&](const std::array<double, 3>& near, double reach) {
         return explained_on_cut(cell, axis, at, near, reach);
       };
@@ -410,7 +410,9 @@ class Subdivision {
       point[place[k]] = cell.lower[place[k]] + near[k] * cell.width[place[k]];
       half[place[k]] = std::min(reach, 1.0) * cell.width[place[k]];
     }
-    const auto box = curves_->explained_around(point, half);
+    auto box = curves_->explained_around(point, half);
+    const double widest = *std::max_element(half.begin(), half.end());
+    if (!box && curves_->find(point, widest)) box = curves_->explained_around(point, half);
     if (!box) return std::nullopt;
     OpenBox result{};
     for (std::size_t k = 0; k < 3; ++k) {

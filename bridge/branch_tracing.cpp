@@ -342,55 +342,35 @@ TracedArc BranchTracer::trace_near(const std::array<double, 4>& from, const std:
 
 TracedArc BranchTracer::trace_to_contact(const CrossingPoint& from, const CellContact& contact,
                                          const SurfaceContactProver& prover, double tolerance, const Context& context) {
-  const auto chord_error = [&](const CellBox& box) -> std::optional<double> {
-    const auto around = prover.neighbourhood(contact.contact, box);
-    if (!around) return std::nullopt;
-    return around->chord_error;
-  };
-  return trace_to_singular(from, contact.contact.rounded, contact.box, chord_error, tolerance, context);
-}
-
-TracedArc BranchTracer::trace_to_crossing(const CrossingPoint& from, const CellCrossing& crossing,
-                                          const ContactCurves& curves, double tolerance, const Context& context) {
-  const auto chord_error = [&](const CellBox& box) -> std::optional<double> {
-    const auto around = curves.curves()[crossing.crossing.curve].crossing(box);
-    if (!around || !around->inside) return std::nullopt;
-    return around->chord_error;
-  };
-  return trace_to_singular(from, crossing.crossing.parameters, crossing.box, chord_error, tolerance, context);
-}
-
-TracedArc BranchTracer::trace_to_singular(const CrossingPoint& from, const std::array<double, 4>& goal,
-                                          const CellBox& cell, const ChordError& chord_error, double tolerance,
-                                          const Context& context) {
+  const std::array<double, 4>& centre = contact.contact.rounded;
   double near = 0;
-  double last_chord = 0;
+  double chord_error = 0;
   constexpr int most_halvings = 40;
   for (int i = 2; i < most_halvings && near == 0; ++i) {
     CellBox box;
     double least = 1;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double half = std::ldexp(cell.upper[k] - cell.lower[k], -i);
-      box.lower[k] = goal[k] - half;
-      box.upper[k] = goal[k] + half;
+      const double half = std::ldexp(contact.box.upper[k] - contact.box.lower[k], -i);
+      box.lower[k] = centre[k] - half;
+      box.upper[k] = centre[k] + half;
       least = std::min(least, half);
     }
-    const auto error = chord_error(box);
-    if (!error || !(*error < tolerance)) continue;
+    const auto around = prover.neighbourhood(contact.contact, box);
+    if (!around || !(around->chord_error < tolerance)) continue;
     near = least;
-    last_chord = *error;
+    chord_error = around->chord_error;
   }
   if (near == 0) return {};
   PatchJets first(first_);
   PatchJets second(second_);
-  ArcTracing tracing(first, second, cell, tolerance);
-  TracedArc arc = tracing.run(vector_of(from.parameters), vector_of(goal), near, context);
+  ArcTracing tracing(first, second, contact.box, tolerance);
+  TracedArc arc = tracing.run(vector_of(from.parameters), vector_of(centre), near, context);
   TracedPoint end;
-  end.parameters = goal;
-  const PatchJets::Value value = first.at(goal[0], goal[1]);
+  end.parameters = centre;
+  const PatchJets::Value value = first.at(centre[0], centre[1]);
   for (std::size_t k = 0; k < 3; ++k) end.point[k] = value.point[static_cast<long>(k)];
   arc.points.push_back(end);
-  arc.error = std::max(arc.error, last_chord);
+  arc.error = std::max(arc.error, chord_error);
   return arc;
 }
 

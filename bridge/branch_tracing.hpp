@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <vector>
 
 #include <eliminant/base/context.hpp>
@@ -56,18 +54,7 @@ class BranchTracer {
   TracedArc trace_to_contact(const CrossingPoint& from, const CellContact& contact, const SurfaceContactProver& prover,
                              double tolerance, const Context& context);
 
-  /// The same to where a branch crosses a curve of contact.
-  TracedArc trace_to_crossing(const CrossingPoint& from, const CellCrossing& crossing, const ContactCurves& curves,
-                              double tolerance, const Context& context);
-
  private:
-  /// Bounds the distance of an arc from its chord to the singular point within a box around that; nothing where it is
-  /// not known.
-  using ChordError = std::function<std::optional<double>(const CellBox&)>;
-
-  TracedArc trace_to_singular(const CrossingPoint& from, const std::array<double, 4>& goal, const CellBox& box,
-                              const ChordError& chord_error, double tolerance, const Context& context);
-
   const ControlNet& first_;
   const ControlNet& second_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/LU>
@@ -109,8 +110,9 @@ struct ContactCurve::Region {
   /// Of coordinates across and along.
   double reach = 0;
   double length = 0;
-  /// How much the curve moves across where it moves by one along.
+  /// How much the curve moves across where it moves by one along, and how much that changes.
   DoubleInterval slope;
+  DoubleInterval bend;
   TaylorTable<DoubleInterval> base{2, 0};
   TaylorTable<DoubleInterval> other{2, 0};
   /// Bounds |ds| + |dt| where both parameters of the base move by at most one.
@@ -121,6 +123,16 @@ struct ContactCurve::Region {
     const ContactSeries<DoubleInterval> series = contact_series(along_line(base, direction), other, normal);
     return DoubleInterval(factorial(order)) * series.difference[order];
   }
+};
+
+/// The derivatives of h of orders two to four on a parallelogram as forms in x across and y along the curve.
+struct ContactCurve::Forms {
+  DoubleInterval xx;
+  DoubleInterval xxx;
+  DoubleInterval xxy;
+  DoubleInterval xxxx;
+  DoubleInterval xxxy;
+  DoubleInterval xxyy;
 };
 
 ContactCurve::ContactCurve(const ControlNet& base, const ControlNet& other, symbolic::ContactRelation relation,
@@ -144,6 +156,11 @@ std::array<double, 4> ContactCurve::parameters_at(const Place& base) const {
 double ContactCurve::distance_from(const Place& base) const {
   const Place slope = gradient(base);
   return curve_.near(base[0], base[1]) / std::hypot(slope[0], slope[1]);
+}
+
+std::array<double, 3> ContactCurve::point_at(const Place& base) const {
+  const Array4d point = PatchJets(base_).at(base[0], base[1]).point;
+  return {point[0], point[1], point[2]};
 }
 
 CellBox ContactCurve::in_base_order(const CellBox& box) const {
@@ -193,8 +210,14 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
   const DoubleInterval left = curve.on(DoubleInterval(-result.reach), lines);
   if (!right.excludes_zero() || !left.excludes_zero() || (right.lower > 0) == (left.lower > 0)) return std::nullopt;
   const DoubleInterval all = symmetric(result.reach);
-  result.slope = -curve.derivative(1).on(all, lines) / curve.derivative(0).on(all, lines);
-  if (!result.slope.is_finite()) return std::nullopt;
+  const IntervalPolynomial by_x = curve.derivative(0);
+  const IntervalPolynomial by_y = curve.derivative(1);
+  const DoubleInterval steep = by_x.on(all, lines);
+  result.slope = -by_y.on(all, lines) / steep;
+  result.bend = -(by_y.derivative(1).on(all, lines) + DoubleInterval(2) * result.slope * by_x.derivative(1).on(all, lines) +
+                  result.slope * result.slope * by_x.derivative(0).on(all, lines)) /
+                steep;
+  if (!result.slope.is_finite() || !result.bend.is_finite()) return std::nullopt;
 
   OpenBox of_base{};
   constexpr double beyond = 0.25;
@@ -246,6 +269,54 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
   return result;
 }
 
+ContactCurve::Forms ContactCurve::forms_on(const Region& region) const {
+  const Place& x = region.across;
+  const Place& y = region.along;
+  const auto combination = [&](double p, double q) { return Place{p * x[0] + q * y[0], p * x[1] + q * y[1]}; };
+  const auto fourth = [&](double p, double q) { return region.derivative(combination(p, q), 4); };
+  // By polarisation.
+  const DoubleInterval xxxx = fourth(1, 0);
+  const DoubleInterval yyyy = fourth(0, 1);
+  const DoubleInterval plus = fourth(1, 1);
+  const DoubleInterval minus = fourth(1, -1);
+  Forms forms;
+  forms.xxxx = xxxx;
+  forms.xxyy = (plus + minus - DoubleInterval(2) * (xxxx + yyyy)) / DoubleInterval(12);
+  forms.xxxy = (fourth(2, 1) - fourth(2, -1) - DoubleInterval(2) * (plus - minus)) / DoubleInterval(48);
+  // What is known at the origin, and by how much it changes: both patches alike bend more than their difference.
+  const auto near = [&](double p, double q, std::size_t order) {
+    return derivative_near(region.origin, combination(p, q), order);
+  };
+  const double third = near(1, 0, 3);
+  const double mixed = (near(1, 1, 3) - near(1, -1, 3) - 2 * near(0, 1, 3)) / 6;
+  const DoubleInterval across(-region.reach, region.reach);
+  const DoubleInterval along(-region.length, region.length);
+  const DoubleInterval third_here = DoubleInterval::around(third, rounding_of_derivative(3));
+  const DoubleInterval mixed_here = DoubleInterval::around(mixed, 4 * rounding_of_derivative(3));
+  forms.xxx = third_here + across * forms.xxxx + along * forms.xxxy;
+  forms.xxy = mixed_here + across * forms.xxxy + along * forms.xxyy;
+  const auto square = [](double half) { return DoubleInterval(0, half * half * (1 + 1e-12)); };
+  forms.xx = DoubleInterval::around(near(1, 0, 2), rounding_of_derivative(2)) + across * third_here +
+             along * mixed_here + DoubleInterval(0.5) * square(region.reach) * forms.xxxx +
+             across * along * forms.xxxy + DoubleInterval(0.5) * square(region.length) * forms.xxyy;
+  return forms;
+}
+
+double ContactCurve::rounding_of_derivative(std::size_t order) const {
+  double sum = 0;
+  double heaviest = 1;
+  for (const ControlNet* net : {&base_, &other_}) {
+    double extent = 0;
+    for (const Array4d& point : net->points) {
+      extent = std::max(extent, point.abs().head<3>().maxCoeff());
+      heaviest = std::max(heaviest, point[3]);
+    }
+    const auto degree = static_cast<double>(net->degrees[0] + net->degrees[1]);
+    sum += extent * std::pow(degree, 2 * static_cast<double>(order));
+  }
+  return 0x1p-46 * heaviest * sum;
+}
+
 bool ContactCurve::explains(const CellBox& asked) const {
   const CellBox box = in_base_order(asked);
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
@@ -256,8 +327,13 @@ bool ContactCurve::explains(const CellBox& asked) const {
   const Place across = unit(gradient(origin));
   const auto around = region(box, origin, across, {-across[1], across[0]}, 2);
   if (!around) return false;
-  const DoubleInterval bend = around->derivative(across, 2);
-  return bend.is_finite() && bend.excludes_zero();
+  const auto has_one_sign = [](const DoubleInterval& x) { return x.is_finite() && x.excludes_zero(); };
+  if (has_one_sign(around->derivative(across, 2))) return true;
+  // More often than not, larger cells are not worth it.
+  constexpr double small = 0.125;
+  if (!(around->reach < small) || !(around->length < small)) return false;
+  const auto closer = region(box, origin, across, {-across[1], across[0]}, 4);
+  return closer && has_one_sign(forms_on(*closer).xx);
 }
 
 double ContactCurve::derivative_near(const Place& at, const Place& direction, std::size_t order) const {
@@ -322,33 +398,15 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
       across = direction;
     }
   }
-  const auto around = region(box, origin, across, along, 3);
+  const auto around = region(box, origin, across, along, 4);
   if (!around) return std::nullopt;
-  const DoubleInterval third = around->derivative(across, 3);
-  if (!third.is_finite() || !third.excludes_zero()) return std::nullopt;
-  // The form of degree three at (across, across, along), by polarisation.
-  const Place sum{across[0] + along[0], across[1] + along[1]};
-  const Place difference{across[0] - along[0], across[1] - along[1]};
-  const DoubleInterval mixed = (around->derivative(sum, 3) - around->derivative(difference, 3) -
-                                DoubleInterval(2) * around->derivative(along, 3)) /
-                               DoubleInterval(6);
-  const DoubleInterval turning = mixed + third * around->slope;
+  const Forms forms = forms_on(*around);
+  if (!forms.xxx.is_finite() || !forms.xxx.excludes_zero()) return std::nullopt;
+  const DoubleInterval turning = forms.xxy + forms.xxx * around->slope;
   if (!turning.is_finite() || !turning.excludes_zero()) return std::nullopt;
 
   // Newton's step from the origin, where h is known to roundings.
-  double bound = 0;
-  double heaviest = 1;
-  for (const ControlNet* net : {&base_, &other_}) {
-    double extent = 0;
-    for (const Array4d& point : net->points) {
-      extent = std::max(extent, point.abs().head<3>().maxCoeff());
-      heaviest = std::max(heaviest, point[3]);
-    }
-    const auto degree = static_cast<double>(net->degrees[0] + net->degrees[1]);
-    bound += extent * std::pow(degree, 4) * 0x1p-46;
-  }
-  bound *= heaviest;
-  const double bend = std::fabs(derivative_near(origin, across, 2)) + bound;
+  const double bend = std::fabs(derivative_near(origin, across, 2)) + rounding_of_derivative(2);
   const double least = std::min(std::fabs(turning.lower), std::fabs(turning.upper));
   const double shift = bend / least + 1e-14;
   if (!(shift < 0.5 * around->length)) return std::nullopt;
@@ -368,22 +426,111 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   result.growing[first] = -across[1] / area;
   result.growing[first + 1] = across[0] / area;
 
-  // The slope of the branch, from the divided difference that vanishes on it.
-  const DoubleInterval slope = around->slope - DoubleInterval(3) * turning / third;
-  const double deviation = (slope.upper - slope.lower) * around->length;
-  const double length = around->length * (1 + slope.magnitude());
-  const double half = around->reach + around->length;
+  result.origin = origin;
+  result.across = across;
+  result.along = along;
+  result.reach = around->reach;
+  result.length = around->length;
+  result.least_third = std::min(std::fabs(forms.xxx.lower), std::fabs(forms.xxx.upper));
+  // The offset of the branch from the curve is where the divided difference vanishes, an average of second derivatives.
+  const DoubleInterval offset_slope = -(DoubleInterval(3) * turning) / forms.xxx;
+  const DoubleInterval moving_third = forms.xxxy + around->slope * forms.xxxx;
+  const DoubleInterval turning_twice = forms.xxyy + DoubleInterval(2) * around->slope * forms.xxxy +
+                                       around->slope * around->slope * forms.xxxx + around->bend * forms.xxx;
+  const DoubleInterval offset_bend = -(DoubleInterval(3) * turning_twice + DoubleInterval(2) * moving_third * offset_slope +
+                                       DoubleInterval(0.5) * forms.xxxx * offset_slope * offset_slope) /
+                                     forms.xxx;
+  result.branch_slope = (around->slope + offset_slope).magnitude();
+  result.branch_bend = (around->bend + offset_bend).magnitude();
+  result.offset_slope = offset_slope.magnitude();
+  return result;
+}
+
+std::optional<BranchPoint> ContactCurve::branch_point(const CurveCrossing& crossing, double x, double y) const {
+  const auto place = [&](double across) {
+    return Place{crossing.origin[0] + across * crossing.across[0] + y * crossing.along[0],
+                 crossing.origin[1] + across * crossing.across[1] + y * crossing.along[1]};
+  };
+  PatchJets base(base_);
+  PatchJets other(other_);
+  const auto frame = tangent_frame(base.at(crossing.origin[0], crossing.origin[1]));
+  if (!frame) return std::nullopt;
+  // The curve at y.
+  double on_curve = 0;
+  for (int step = 0; step < 8; ++step) {
+    const Place at = place(on_curve);
+    on_curve -= curve_.near(at[0], at[1]) / dot(gradient(at), crossing.across);
+  }
+  const auto in_frame = [&](const Array4d& d) {
+    return Array4d(frame->columns[0] * d[0] + frame->columns[1] * d[1] + frame->columns[2] * d[2]);
+  };
+  BranchPoint result;
+  double residual = 0;
+  double slack = 0;
+  // The difference of the patches along the normal, once they are equal along the plane.
+  const auto difference_at = [&](double across) {
+    const Place at = place(across);
+    const PatchJets::Value a = base.at(at[0], at[1]);
+    std::array<double, 4> both = parameters_at(at);
+    if (swapped_) both = {both[2], both[3], both[0], both[1]};
+    PatchJets::Value b = other.at(both[2], both[3]);
+    Array4d difference = in_frame(a.point - b.point);
+    for (int step = 0; step < 5; ++step) {
+      const auto by_plane = parameters_by_plane(*frame, b);
+      if (!by_plane) break;
+      const Eigen::Vector2d change = *by_plane * Eigen::Vector2d(difference[0], difference[1]);
+      both[2] += change[0];
+      both[3] += change[1];
+      b = other.at(both[2], both[3]);
+      difference = in_frame(a.point - b.point);
+      if (!(change.lpNorm<Eigen::Infinity>() > 1e-14)) break;
+    }
+    for (std::size_t k = 0; k < 3; ++k) result.point[k] = a.point[static_cast<long>(k)];
+    result.parameters = swapped_ ? std::array<double, 4>{both[2], both[3], at[0], at[1]} : both;
+    residual = difference[2];
+    slack = 4 * (a.error + b.error);
+    return residual / ((across - on_curve) * (across - on_curve));
+  };
+  // The secant method on the divided difference, which is nearly linear.
+  double before = x + 0.01 * (x - on_curve);
+  double before_value = difference_at(before);
+  double here = x;
+  double value = difference_at(here);
+  constexpr int most_steps = 12;
+  for (int step = 0; step < most_steps && value != before_value; ++step) {
+    const double next = here - value * (here - before) / (value - before_value);
+    if (!(std::fabs(next) < 2 * crossing.reach) || next == on_curve) return std::nullopt;
+    before = std::exchange(here, next);
+    before_value = std::exchange(value, difference_at(next));
+    if (std::fabs(here - before) < 1e-12) break;
+  }
+  double heaviest = 1;
+  for (const ControlNet* net : {&base_, &other_}) {
+    double most = 0;
+    for (const Array4d& point : net->points) most = std::max(most, point[3]);
+    heaviest *= most;
+  }
+  const double offset = std::fabs(here - on_curve) * (1 - 1e-6) - 1e-13;
+  if (!(offset > 0) || !(std::fabs(here) < crossing.reach)) return std::nullopt;
+  result.error = 6.1 * heaviest * (std::fabs(residual) + slack) / (crossing.least_third * offset * offset) + 1e-15;
+  return result;
+}
+
+double ContactCurve::chord_error(const CurveCrossing& crossing, double step, double error) const {
+  const double half = crossing.reach + crossing.length;
+  const Place& origin = crossing.origin;
   const auto bounds =
       PatchJets(base_).bounds_on(origin[0] - half, origin[0] + half, origin[1] - half, origin[1] + half);
-  if (!bounds) return std::nullopt;
-  double error = 0;
+  if (!bounds) return std::numeric_limits<double>::infinity();
+  const double length = step * (1 + crossing.branch_slope);
+  const double deviation = 0.125 * crossing.branch_bend * step * step + error;
+  double result = 0;
   for (long c = 0; c < 3; ++c) {
     const double speed = bounds->first[0][c] + bounds->first[1][c];
     const double bending = bounds->second[0][c] + 2 * bounds->second[1][c] + bounds->second[2][c];
-    error = std::max(error, speed * (deviation + 2 * moved) + 0.125 * bending * length * length);
+    result = std::max(result, speed * deviation + 0.125 * bending * length * length);
   }
-  result.chord_error = 1.74 * error;
-  return result;
+  return 1.74 * result;
 }
 
 }  // namespace eliminant::bridge

@@ -23,8 +23,29 @@ struct CurveCrossing {
   bool inside = true;
   /// The parameters relative to the point, multiplied by these and added, grow strictly along the branch.
   std::array<double, 4> growing{};
-  /// Bounds the distance in space of the branch from its chord from the point to another one of it in the box.
-  double chord_error = 0;
+
+  // The branch in the parameters of the base: a function x of y at origin + x across + y along, |y| <= length.
+  std::array<double, 2> origin{};
+  std::array<double, 2> across{};
+  std::array<double, 2> along{};
+  double reach = 0;
+  double length = 0;
+  /// Bounds its first and second derivative, and that of its offset from the curve.
+  double branch_slope = 0;
+  double branch_bend = 0;
+  double offset_slope = 0;
+  /// A lower bound of the third derivative of h across the curve, in absolute value.
+  double least_third = 0;
+};
+
+/// A point of the branch.
+struct BranchPoint {
+  /// u, v, s, t.
+  std::array<double, 4> parameters{};
+  /// Of the base.
+  std::array<double, 3> point{};
+  /// Bounds the error of x.
+  double error = 0;
 };
 
 /// A curve along which two patches touch, and what is proven of the intersection around it.
@@ -48,6 +69,9 @@ class ContactCurve {
   /// From a point of the base's parameters to the curve, to first order; with a sign.
   double distance_from(const std::array<double, 2>& base) const;
 
+  /// The point of the base.
+  std::array<double, 3> point_at(const std::array<double, 2>& base) const;
+
   /// True where it is proven that every common point in the box is a point of the curve.
   bool explains(const CellBox& box) const;
 
@@ -55,8 +79,20 @@ class ContactCurve {
   /// crosses it.
   std::optional<CurveCrossing> crossing(const CellBox& box) const;
 
+  /// The point of the branch at a value y that is not 0, near `x`; nullopt where doubles do not find it.
+  std::optional<BranchPoint> branch_point(const CurveCrossing& crossing, double x, double y) const;
+
+  /// Bounds the distance in space of the branch from a chord between two points of it, apart by `step` in y and wrong by
+  /// at most `error` in x; infinite where nothing is known.
+  double chord_error(const CurveCrossing& crossing, double step, double error) const;
+
  private:
   struct Region;
+  struct Forms;
+
+  Forms forms_on(const Region& region) const;
+  /// Of a derivative of h computed by derivative_near in a direction of length about 1.
+  double rounding_of_derivative(std::size_t order) const;
 
   CellBox in_base_order(const CellBox& box) const;
   std::array<double, 2> nearest(std::array<double, 2> at) const;

@@ -27,7 +27,10 @@ struct CurvePoint {
 
 class Following {
  public:
-  Following(const ControlNet& first, const ControlNet& second) : first_(first), second_(second) {}
+  Following(const ControlNet& first, const ControlNet& second) : first_(first), second_(second) {
+    for (const ControlNet* net : {&first, &second})
+      for (const Array4d& point : net->points) size_ = std::max(size_, point.head<3>().abs().maxCoeff());
+  }
 
   /// Newton's method with the least of all steps.
   std::optional<CurvePoint> on_curve(Vector4d x, double reach) {
@@ -84,10 +87,6 @@ class Following {
     return points;
   }
 
-  void measure(const ControlNet& net) {
-    for (const Array4d& point : net.points) size_ = std::max(size_, point.head<3>().abs().maxCoeff());
-  }
-
  private:
   static constexpr double at_rest = 1e-12;
 
@@ -106,12 +105,18 @@ class Following {
 
 }  // namespace
 
+std::optional<std::array<double, 4>> contact_curve_point(const ControlNet& first, const ControlNet& second,
+                                                         const std::array<double, 4>& near, double reach) {
+  const auto found = Following(first, second).on_curve({near[0], near[1], near[2], near[3]}, reach);
+  if (!found) return std::nullopt;
+  return std::array<double, 4>{found->at[0], found->at[1], found->at[2], found->at[3]};
+}
+
 std::vector<std::array<double, 4>> contact_curve_points(const ControlNet& first, const ControlNet& second,
-                                                        const std::array<double, 4>& near, double reach) {
+                                                        const std::array<double, 4>& on_curve) {
   Following following(first, second);
-  following.measure(first);
-  following.measure(second);
-  const auto start = following.on_curve({near[0], near[1], near[2], near[3]}, reach);
+  constexpr double rounding = 1e-9;
+  const auto start = following.on_curve({on_curve[0], on_curve[1], on_curve[2], on_curve[3]}, rounding);
   if (!start) return {};
   constexpr std::size_t enough = 24;
   constexpr double first_step = 0x1p-5;

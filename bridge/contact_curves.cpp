@@ -43,8 +43,10 @@ bool ContactCurves::is_known(const std::array<double, 4>& point) const {
 bool ContactCurves::find(const std::array<double, 4>& near, double reach) {
   if (attempts_ == 0 || equations_ == 0) return false;
   --attempts_;
-  const auto points = contact_curve_points(first_, second_, near, reach);
-  if (points.empty() || is_known(points.front())) return false;
+  const auto start = contact_curve_point(first_, second_, near, reach);
+  if (!start || is_known(*start)) return false;
+  const auto points = contact_curve_points(first_, second_, *start);
+  if (points.empty()) return false;
   if (recognise(points, false) || recognise(points, true)) return true;
   --equations_;
   return false;

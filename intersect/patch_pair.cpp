@@ -11,6 +11,7 @@
 #include <eliminant/bridge/branch_subdivision.hpp>
 #include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/contact_curves.hpp>
+#include <eliminant/bridge/crossing_tracing.hpp>
 #include <eliminant/bridge/patch_border_points.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
@@ -438,17 +439,15 @@ class PatchPair {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
     if (!arc.contact && !arc.crossing)
       return tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
+    if (arc.crossing) {
+      const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
+      return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_);
+    }
     // Next to a contact doubles tell both surfaces apart so far only.
     bridge::TracedArc traced;
-    // Where both surfaces touch along a curve that crosses, less far.
-    const double most = arc.crossing ? 65536 : 4096;
-    for (double factor = 1; !traced.proven && factor < most; factor *= 4) {
-      if (arc.crossing)
-        traced =
-            tracer.trace_to_crossing(from, graph_.crossings[*arc.crossing], *curves_, factor * tolerance_, context_);
-      else
-        traced = tracer.trace_to_contact(from, graph_.contacts[*arc.contact], *prover_, factor * tolerance_, context_);
-    }
+    constexpr double most = 4096;
+    for (double factor = 1; !traced.proven && factor < most; factor *= 4)
+      traced = tracer.trace_to_contact(from, graph_.contacts[*arc.contact], *prover_, factor * tolerance_, context_);
     return traced;
   }
 
