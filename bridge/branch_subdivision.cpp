@@ -172,10 +172,9 @@ class Subdivision {
     }
     if (curves_->curves().empty()) return false;
     if (cell.points.empty() && curves_->explains(box)) return true;
-    if (cell.points.size() != 2 && !cell.points.empty()) return false;
+    if (cell.points.size() != 2) return false;
     const auto crossing = curves_->crossing(box);
     if (!crossing) return false;
-    if (cell.points.empty()) return !crossing->inside;
     if (!crossing->inside) {
       graph_.arcs.push_back({cell.points[0], cell.points[1], box, {}, {}});
       return true;

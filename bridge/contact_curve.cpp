@@ -125,6 +125,17 @@ struct ContactCurve::Region {
   }
 };
 
+/// Both patches at a point of the curve, approximately, in the frame of the base.
+struct ContactCurve::Tables {
+  TaylorTable<double> base;
+  TaylorTable<double> other;
+
+  double derivative(const Place& direction, std::size_t order) const {
+    const TaylorTable<double> line = along_line(base.truncated(order), direction);
+    return factorial(order) * contact_series(line, other.truncated(order), normal).difference[order];
+  }
+};
+
 /// The derivatives of h of orders two to four on a parallelogram as forms in x across and y along the curve.
 struct ContactCurve::Forms {
   DoubleInterval xx;
@@ -284,8 +295,9 @@ ContactCurve::Forms ContactCurve::forms_on(const Region& region) const {
   forms.xxyy = (plus + minus - DoubleInterval(2) * (xxxx + yyyy)) / DoubleInterval(12);
   forms.xxxy = (fourth(2, 1) - fourth(2, -1) - DoubleInterval(2) * (plus - minus)) / DoubleInterval(48);
   // What is known at the origin, and by how much it changes: both patches alike bend more than their difference.
+  const auto tables = tables_near(region.origin, 3);
   const auto near = [&](double p, double q, std::size_t order) {
-    return derivative_near(region.origin, combination(p, q), order);
+    return tables ? tables->derivative(combination(p, q), order) : std::nan("");
   };
   const double third = near(1, 0, 3);
   const double mixed = (near(1, 1, 3) - near(1, -1, 3) - 2 * near(0, 1, 3)) / 6;
@@ -336,17 +348,20 @@ bool ContactCurve::explains(const CellBox& asked) const {
   return closer && has_one_sign(forms_on(*closer).xx);
 }
 
+std::optional<ContactCurve::Tables> ContactCurve::tables_near(const Place& at, std::size_t order) const {
+  const auto frame = tangent_frame(PatchJets(base_).at(at[0], at[1]));
+  if (!frame) return std::nullopt;
+  const Place there{numerator_[0].near(at[0], at[1]) / denominator_[0].near(at[0], at[1]),
+                    numerator_[1].near(at[0], at[1]) / denominator_[1].near(at[0], at[1])};
+  Tables tables{taylor_near(base_, at[0], at[1], order), taylor_near(other_, there[0], there[1], order)};
+  to_frame(*frame, tables.base);
+  to_frame(*frame, tables.other);
+  return tables;
+}
+
 double ContactCurve::derivative_near(const Place& at, const Place& direction, std::size_t order) const {
-  const PatchJets::Value here = PatchJets(base_).at(at[0], at[1]);
-  const auto frame = tangent_frame(here);
-  if (!frame) return std::nan("");
-  const std::array<double, 2> there{numerator_[0].near(at[0], at[1]) / denominator_[0].near(at[0], at[1]),
-                                    numerator_[1].near(at[0], at[1]) / denominator_[1].near(at[0], at[1])};
-  TaylorTable<double> base = taylor_near(base_, at[0], at[1], order);
-  TaylorTable<double> other = taylor_near(other_, there[0], there[1], order);
-  to_frame(*frame, base);
-  to_frame(*frame, other);
-  return factorial(order) * contact_series(along_line(base, direction), other, normal).difference[order];
+  const auto tables = tables_near(at, order);
+  return tables ? tables->derivative(direction, order) : std::nan("");
 }
 
 std::optional<Place> ContactCurve::crossing_near(const Place& start, double reach) const {

@@ -89,7 +89,9 @@ class ContactCurve {
  private:
   struct Region;
   struct Forms;
+  struct Tables;
 
+  std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
   Forms forms_on(const Region& region) const;
   /// Of a derivative of h computed by derivative_near in a direction of length about 1.
   double rounding_of_derivative(std::size_t order) const;

@@ -62,15 +62,24 @@ bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, 
     curves_.emplace_back(second_, first_, *relation, true);
   else
     curves_.emplace_back(first_, second_, *relation, false);
+  explained_size_.push_back(1);
   return true;
 }
 
-bool ContactCurves::explains(const CellBox& box) const {
-  return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) { return curve.explains(box); });
+bool ContactCurves::explains(const CellBox& box) {
+  double size = 0;
+  for (std::size_t k = 0; k < 4; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    constexpr double growth = 2;
+    if (size > growth * explained_size_[i] || !curves_[i].explains(box)) continue;
+    explained_size_[i] = size;
+    return true;
+  }
+  return false;
 }
 
 std::optional<CellBox> ContactCurves::explained_around(const std::array<double, 4>& point,
-                                                       const std::array<double, 4>& half_width) const {
+                                                       const std::array<double, 4>& half_width) {
   if (curves_.empty()) return std::nullopt;
   constexpr int most_halvings = 12;
   for (int i = 0; i < most_halvings; ++i) {

@@ -32,11 +32,11 @@ class ContactCurves {
   bool find(const std::array<double, 4>& near, double reach);
 
   /// True where it is proven that every common point in the box is one of a curve that was found.
-  bool explains(const CellBox& box) const;
+  bool explains(const CellBox& box);
 
   /// The largest of a few boxes around a point, at most of that half width in each parameter, that is explained.
   std::optional<CellBox> explained_around(const std::array<double, 4>& point,
-                                          const std::array<double, 4>& half_width) const;
+                                          const std::array<double, 4>& half_width);
 
   /// As ContactCurve::crossing, and the index of the curve.
   struct Crossing : CurveCrossing {
@@ -57,6 +57,8 @@ class ContactCurves {
   std::array<std::vector<symbolic::Polynomial>, 2> coordinates_;
   /// Pointers to its members stay valid.
   std::deque<ContactCurve> curves_;
+  /// Of each the size of the last box that was explained: much larger ones are not tried.
+  std::vector<double> explained_size_;
   /// Attempts left, at points and at equations.
   int attempts_ = 60;
   int equations_ = 4;
