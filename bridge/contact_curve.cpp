@@ -120,7 +120,8 @@ struct ContactCurve::Region {
 
   /// The derivative of h of an order in a direction, on the whole parallelogram.
   DoubleInterval derivative(const Place& direction, std::size_t order) const {
-    const ContactSeries<DoubleInterval> series = contact_series(along_line(base, direction), other, normal);
+    const ContactSeries<DoubleInterval> series =
+        contact_series(along_line(base.truncated(order), direction), other.truncated(order), normal);
     return DoubleInterval(factorial(order)) * series.difference[order];
   }
 };
@@ -337,15 +338,13 @@ bool ContactCurve::explains(const CellBox& asked) const {
   const double size = std::max({box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], 1e-6});
   if (!(std::hypot(origin[0] - middle[0], origin[1] - middle[1]) < 2 * size)) return false;
   const Place across = unit(gradient(origin));
-  const auto around = region(box, origin, across, {-across[1], across[0]}, 2);
+  const auto around = region(box, origin, across, {-across[1], across[0]}, 4);
   if (!around) return false;
   const auto has_one_sign = [](const DoubleInterval& x) { return x.is_finite() && x.excludes_zero(); };
   if (has_one_sign(around->derivative(across, 2))) return true;
   // More often than not, larger cells are not worth it.
   constexpr double small = 0.125;
-  if (!(around->reach < small) || !(around->length < small)) return false;
-  const auto closer = region(box, origin, across, {-across[1], across[0]}, 4);
-  return closer && has_one_sign(forms_on(*closer).xx);
+  return around->reach < small && around->length < small && has_one_sign(forms_on(*around).xx);
 }
 
 std::optional<ContactCurve::Tables> ContactCurve::tables_near(const Place& at, std::size_t order) const {

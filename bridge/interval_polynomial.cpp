@@ -22,6 +22,7 @@ DoubleInterval power(const DoubleInterval& x, std::size_t exponent) {
 IntervalPolynomial::IntervalPolynomial(const symbolic::Polynomial& p)
     : IntervalPolynomial(static_cast<std::size_t>(std::max(p.degree(0), 0L)) + 1,
                          static_cast<std::size_t>(std::max(p.degree(1), 0L)) + 1) {
+  total_degree_ = static_cast<std::size_t>(std::max(p.total_degree(), 0L));
   for (const symbolic::Polynomial::Term& term : p.terms()) {
     const RealBall ball(term.coefficient, 64);
     const double nearest = arf_get_d(arb_midref(ball.get()), ARF_RND_NEAR);
@@ -32,10 +33,11 @@ IntervalPolynomial::IntervalPolynomial(const symbolic::Polynomial& p)
 IntervalPolynomial IntervalPolynomial::in_frame(const std::array<double, 2>& origin,
                                                 const std::array<double, 2>& across,
                                                 const std::array<double, 2>& along) const {
-  const std::size_t size = rows_ + columns_ - 1;
+  const std::size_t size = total_degree_ + 1;
   // Horner's scheme in the first argument, of Horner's schemes in the second.
   const auto times_argument = [&](const IntervalPolynomial& p, std::size_t k) {
     IntervalPolynomial result(size, size);
+    result.total_degree_ = total_degree_;
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t j = 0; i + j < size; ++j) {
         DoubleInterval sum = p.at(i, j) * DoubleInterval(origin[k]);
@@ -46,6 +48,7 @@ IntervalPolynomial IntervalPolynomial::in_frame(const std::array<double, 2>& ori
     return result;
   };
   IntervalPolynomial result(size, size);
+  result.total_degree_ = total_degree_;
   for (std::size_t i = rows_; i-- > 0;) {
     IntervalPolynomial row(size, size);
     for (std::size_t j = columns_; j-- > 0;) {
@@ -62,6 +65,7 @@ IntervalPolynomial IntervalPolynomial::in_frame(const std::array<double, 2>& ori
 IntervalPolynomial IntervalPolynomial::derivative(std::size_t axis) const {
   IntervalPolynomial result(std::max<std::size_t>(rows_ - (axis == 0 ? 1 : 0), 1),
                             std::max<std::size_t>(columns_ - (axis == 1 ? 1 : 0), 1));
+  result.total_degree_ = total_degree_ - (total_degree_ > 0 ? 1 : 0);
   for (std::size_t i = axis == 0 ? 1 : 0; i < rows_; ++i)
     for (std::size_t j = axis == 1 ? 1 : 0; j < columns_; ++j) {
       const auto factor = static_cast<double>(axis == 0 ? i : j);
@@ -71,13 +75,14 @@ IntervalPolynomial IntervalPolynomial::derivative(std::size_t axis) const {
 }
 
 DoubleInterval IntervalPolynomial::on(const DoubleInterval& x, const DoubleInterval& y) const {
+  std::vector<DoubleInterval> powers;
+  for (std::size_t j = 0; j < columns_; ++j) powers.push_back(power(y, j));
   DoubleInterval sum(0);
-  for (std::size_t i = 0; i < rows_; ++i)
-    for (std::size_t j = 0; j < columns_; ++j) {
-      const DoubleInterval& c = at(i, j);
-      if (c.lower == 0 && c.upper == 0) continue;
-      sum = sum + c * power(x, i) * power(y, j);
-    }
+  for (std::size_t i = 0; i < rows_; ++i) {
+    DoubleInterval row(0);
+    for (std::size_t j = 0; j < columns_ && i + j <= total_degree_; ++j) row = row + at(i, j) * powers[j];
+    sum = sum + row * power(x, i);
+  }
   return sum;
 }
 

@@ -34,6 +34,7 @@ class IntervalPolynomial {
   /// Numbers of powers of each variable.
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
+  std::size_t total_degree_ = 0;
   std::vector<DoubleInterval> coefficients_;
 };
 
