@@ -333,18 +333,53 @@ double ContactCurve::rounding_of_derivative(std::size_t order) const {
 bool ContactCurve::explains(const CellBox& asked) const {
   const CellBox box = in_base_order(asked);
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
-  const Place origin = nearest(middle);
+  Place origin = nearest(middle);
   // Only around the curve.
   const double size = std::max({box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], 1e-6});
   if (!(std::hypot(origin[0] - middle[0], origin[1] - middle[1]) < 2 * size)) return false;
-  const Place across = unit(gradient(origin));
-  const auto around = region(box, origin, across, {-across[1], across[0]}, 4);
-  if (!around) return false;
   const auto has_one_sign = [](const DoubleInterval& x) { return x.is_finite() && x.excludes_zero(); };
+  Place across = unit(gradient(origin));
+  Place along{-across[1], across[0]};
+  // On a cut its own direction will do.
+  constexpr double thin = 1e-6;
+  const std::array<double, 2> width{box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]};
+  const bool is_cut = std::min(width[0], width[1]) < thin * std::max(width[0], width[1]);
+  if (is_cut) {
+    const std::size_t kept = width[0] < width[1] ? 0 : 1;
+    // Where the cut meets the curve.
+    Place at{middle[0], middle[1]};
+    for (int step = 0; step < 10; ++step) at[1 - kept] -= curve_.near(at[0], at[1]) / gradient(at)[1 - kept];
+    if (!(std::fabs(at[1 - kept] - middle[1 - kept]) < 2 * size)) return false;
+    origin = at;
+    across = {kept == 0 ? 0.0 : 1.0, kept == 0 ? 1.0 : 0.0};
+    along = {kept == 0 ? 1.0 : 0.0, kept == 0 ? 0.0 : 1.0};
+  }
+  const auto around = region(box, origin, across, along, 4);
+  if (!around) return false;
   if (has_one_sign(around->derivative(across, 2))) return true;
   // More often than not, larger cells are not worth it.
   constexpr double small = 0.125;
-  return around->reach < small && around->length < small && has_one_sign(forms_on(*around).xx);
+  if (!(around->reach < small) || !(around->length < small)) return false;
+  return has_one_sign(is_cut ? bend_on_cut(*around) : forms_on(*around).xx);
+}
+
+DoubleInterval ContactCurve::bend_on_cut(const Region& region) const {
+  const auto tables = tables_near(region.origin, 3);
+  if (!tables) return {};
+  const DoubleInterval across(-region.reach, region.reach);
+  const DoubleInterval along(-region.length, region.length);
+  const auto here = [&](std::size_t order) {
+    return DoubleInterval::around(tables->derivative(region.across, order), rounding_of_derivative(order));
+  };
+  // Along the cut by Taylor's formula; it hardly has a width.
+  const Place sum{region.across[0] + region.along[0], region.across[1] + region.along[1]};
+  const Place difference{region.across[0] - region.along[0], region.across[1] - region.along[1]};
+  const DoubleInterval mixed = (region.derivative(sum, 3) - region.derivative(difference, 3) -
+                                DoubleInterval(2) * region.derivative(region.along, 3)) /
+                               DoubleInterval(6);
+  const double square = region.reach * region.reach * (1 + 1e-12);
+  return here(2) + across * here(3) + DoubleInterval(0, 0.5 * square) * region.derivative(region.across, 4) +
+         along * mixed;
 }
 
 std::optional<ContactCurve::Tables> ContactCurve::tables_near(const Place& at, std::size_t order) const {
@@ -456,7 +491,12 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
                                      forms.xxx;
   result.branch_slope = (around->slope + offset_slope).magnitude();
   result.branch_bend = (around->bend + offset_bend).magnitude();
-  result.offset_slope = offset_slope.magnitude();
+  // In a smaller box more is known of the branch.
+  double extent = 0;
+  for (const Array4d& point : base_.points) extent = std::max(extent, point.abs().head<3>().maxCoeff());
+  constexpr double accuracy = 1e-6;
+  constexpr double pieces = 512;
+  if (!(chord_error(result, result.length / pieces, 0) < accuracy * extent)) return std::nullopt;
   return result;
 }
 

@@ -30,10 +30,9 @@ struct CurveCrossing {
   std::array<double, 2> along{};
   double reach = 0;
   double length = 0;
-  /// Bounds its first and second derivative, and that of its offset from the curve.
+  /// Bounds its first and second derivative.
   double branch_slope = 0;
   double branch_bend = 0;
-  double offset_slope = 0;
   /// A lower bound of the third derivative of h across the curve, in absolute value.
   double least_third = 0;
 };
@@ -93,6 +92,8 @@ class ContactCurve {
 
   std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
   Forms forms_on(const Region& region) const;
+  /// The second derivative of h along a region that hardly has a length.
+  DoubleInterval bend_on_cut(const Region& region) const;
   /// Of a derivative of h computed by derivative_near in a direction of length about 1.
   double rounding_of_derivative(std::size_t order) const;
 

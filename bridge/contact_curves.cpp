@@ -96,6 +96,22 @@ std::optional<CellBox> ContactCurves::explained_around(const std::array<double, 
   return std::nullopt;
 }
 
+bool ContactCurves::holds(const std::array<symbolic::Rational, 4>& parameters) const {
+  return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) {
+    const symbolic::ContactRelation& relation = curve.relation();
+    const std::size_t base = curve.swapped() ? 2 : 0;
+    const std::array<symbolic::Polynomial, 2> at{symbolic::Polynomial::constant(2, parameters[base]),
+                                                 symbolic::Polynomial::constant(2, parameters[base + 1])};
+    const auto value = [&](const symbolic::Polynomial& p) { return p.compose(at).constant_term(); };
+    for (std::size_t k = 0; k < 2; ++k) {
+      const symbolic::Rational& other = parameters[2 - base + k];
+      const symbolic::Rational below = value(relation.denominator[k]);
+      if (below.is_zero() || !(value(relation.numerator[k]) == other * below)) return false;
+    }
+    return value(relation.curve).is_zero();
+  });
+}
+
 std::optional<ContactCurves::Crossing> ContactCurves::crossing(const CellBox& box) const {
   for (std::size_t i = 0; i < curves_.size(); ++i)
     if (const auto found = curves_[i].crossing(box)) {

@@ -34,6 +34,9 @@ class ContactCurves {
   /// True where it is proven that every common point in the box is one of a curve that was found.
   bool explains(const CellBox& box);
 
+  /// Whether these parameters are a point of one, exactly.
+  bool holds(const std::array<symbolic::Rational, 4>& parameters) const;
+
   /// The largest of a few boxes around a point, at most of that half width in each parameter, that is explained.
   std::optional<CellBox> explained_around(const std::array<double, 4>& point,
                                           const std::array<double, 4>& half_width);

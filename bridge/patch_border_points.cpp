@@ -148,7 +148,8 @@ class BorderSearch {
       return;
     }
     for (const IsolatedZero& zero : found.zeros) add_crossing(problem, zero, prover, of_curve);
-    for (const RationalZero& contact : prover.contacts()) add_contact(problem, contact);
+    for (const RationalZero& contact : prover.contacts())
+      if (!is_on_contact_curve(problem, contact)) add_contact(problem, contact);
   }
 
   /// Parameters of a border curve and the other patch around `near`, in which there are only points of curves of
@@ -172,6 +173,14 @@ class BorderSearch {
       result.upper[k] = box->upper[problem.place[k]];
     }
     return result;
+  }
+
+  bool is_on_contact_curve(const BorderProblem& problem, const RationalZero& contact) const {
+    if (curves_ == nullptr || curves_->curves().empty()) return false;
+    std::array<Rational, 4> parameters;
+    parameters[problem.axis] = Rational(problem.side < 0 ? 0 : 1);
+    for (std::size_t k = 0; k < 3; ++k) parameters[problem.place[k]] = contact.parameters[k];
+    return curves_->holds(parameters);
   }
 
   static CrossingPoint placed(const BorderProblem& problem, const IsolatedZero& zero) {
