@@ -409,9 +409,9 @@ class Subdivision {
       point[place[k]] = cell.lower[place[k]] + near[k] * cell.width[place[k]];
       half[place[k]] = std::min(reach, 1.0) * cell.width[place[k]];
     }
-    auto box = curves_->explained_around(point, half);
+    auto box = curves_->explained_around(axis, point, half);
     const double widest = *std::max_element(half.begin(), half.end());
-    if (!box && curves_->find(point, widest)) box = curves_->explained_around(point, half);
+    if (!box && curves_->find(point, widest)) box = curves_->explained_around(axis, point, half);
     if (!box) return std::nullopt;
     OpenBox result{};
     for (std::size_t k = 0; k < 3; ++k) {

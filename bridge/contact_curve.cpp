@@ -115,6 +115,9 @@ struct ContactCurve::Region {
   DoubleInterval bend;
   TaylorTable<DoubleInterval> base{2, 0};
   TaylorTable<DoubleInterval> other{2, 0};
+  /// The parameters of the other patch.
+  Place lower_of_other{};
+  Place upper_of_other{};
   /// Bounds |ds| + |dt| where both parameters of the base move by at most one.
   double following = 0;
 
@@ -173,6 +176,33 @@ double ContactCurve::distance_from(const Place& base) const {
 std::array<double, 3> ContactCurve::point_at(const Place& base) const {
   const Array4d point = PatchJets(base_).at(base[0], base[1]).point;
   return {point[0], point[1], point[2]};
+}
+
+std::optional<std::array<double, 4>> ContactCurve::point_on_cut(std::size_t axis,
+                                                                const std::array<double, 4>& near) const {
+  const std::size_t first = swapped_ ? 2 : 0;
+  Place at{near[first], near[first + 1]};
+  constexpr int most_steps = 15;
+  for (int step = 0; step < most_steps; ++step) {
+    // The equation of the curve, and that of the cut.
+    const Place slope = gradient(at);
+    const double value = curve_.near(at[0], at[1]);
+    Place cut_slope{};
+    const double cut = parameters_at(at)[axis] - near[axis];
+    for (std::size_t k = 0; k < 2; ++k) {
+      constexpr double small = 0x1p-20;
+      Place beside = at;
+      beside[k] += small;
+      cut_slope[k] = (parameters_at(beside)[axis] - near[axis] - cut) / small;
+    }
+    const double area = cross(slope, cut_slope);
+    const Place change{(value * cut_slope[1] - cut * slope[1]) / area, (slope[0] * cut - cut_slope[0] * value) / area};
+    at = {at[0] - change[0], at[1] - change[1]};
+    const double size = std::max(std::fabs(change[0]), std::fabs(change[1]));
+    if (!(size < 1)) return std::nullopt;
+    if (size < 1e-12) return parameters_at(at);
+  }
+  return std::nullopt;
 }
 
 CellBox ContactCurve::in_base_order(const CellBox& box) const {
@@ -262,6 +292,8 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
                                std::fabs((*by_plane)(row, 1)) * enclosed_base.value[1].magnitude());
     of_other.lower[k] = std::min(of_other.lower[k], middle[k] - half);
     of_other.upper[k] = std::max(of_other.upper[k], middle[k] + half);
+    result.lower_of_other[k] = of_other.lower[k];
+    result.upper_of_other[k] = of_other.upper[k];
     if (!(of_other.lower[k] > -beyond) || !(of_other.upper[k] < 1 + beyond)) return std::nullopt;
     for (std::size_t i = 0; i < 2; ++i)
       result.following += 1.6 * (std::fabs((*by_plane)(row, 0)) * enclosed_base.first[i][0].magnitude() +
@@ -330,7 +362,25 @@ double ContactCurve::rounding_of_derivative(std::size_t order) const {
   return 0x1p-46 * heaviest * sum;
 }
 
-bool ContactCurve::explains(const CellBox& asked) const {
+bool ContactCurve::Explained::covers(const CellBox& box) const {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (box.lower[2 + k] < lower[k] || box.upper[2 + k] > upper[k]) return false;
+  const double area = cross(across, along);
+  for (const double a : {box.lower[0], box.upper[0]})
+    for (const double b : {box.lower[1], box.upper[1]}) {
+      const Place corner{a - origin[0], b - origin[1]};
+      if (!(std::fabs(cross(corner, along) / area) < reach) || !(std::fabs(cross(across, corner) / area) < length))
+        return false;
+    }
+  return true;
+}
+
+bool ContactCurve::is_explained(const CellBox& asked) const {
+  const CellBox box = in_base_order(asked);
+  return std::any_of(explained_.rbegin(), explained_.rend(), [&](const Explained& e) { return e.covers(box); });
+}
+
+bool ContactCurve::explains(const CellBox& asked) {
   const CellBox box = in_base_order(asked);
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
   Place origin = nearest(middle);
@@ -356,11 +406,17 @@ bool ContactCurve::explains(const CellBox& asked) const {
   }
   const auto around = region(box, origin, across, along, 4);
   if (!around) return false;
-  if (has_one_sign(around->derivative(across, 2))) return true;
-  // More often than not, larger cells are not worth it.
+  // More often than not, larger cells are not worth a closer look.
   constexpr double small = 0.125;
-  if (!(around->reach < small) || !(around->length < small)) return false;
-  return has_one_sign(is_cut ? bend_on_cut(*around) : forms_on(*around).xx);
+  const bool is_small = around->reach < small && around->length < small;
+  if (!has_one_sign(around->derivative(across, 2)) &&
+      !(is_small && has_one_sign(is_cut ? bend_on_cut(*around) : forms_on(*around).xx)))
+    return false;
+  constexpr double inside = 1 - 1e-9;
+  if (!is_cut)
+    explained_.push_back({origin, across, along, around->reach * inside, around->length * inside,
+                          around->lower_of_other, around->upper_of_other});
+  return true;
 }
 
 DoubleInterval ContactCurve::bend_on_cut(const Region& region) const {

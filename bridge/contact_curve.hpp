@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include <eliminant/bridge/cell_box.hpp>
 #include <eliminant/bridge/contact_series.hpp>
@@ -71,8 +72,14 @@ class ContactCurve {
   /// The point of the base.
   std::array<double, 3> point_at(const std::array<double, 2>& base) const;
 
+  /// u, v, s, t of the point of the curve next to `near` where the parameter of an axis is that of `near`,
+  /// approximately; nullopt where Newton's method finds none.
+  std::optional<std::array<double, 4>> point_on_cut(std::size_t axis, const std::array<double, 4>& near) const;
+
   /// True where it is proven that every common point in the box is a point of the curve.
-  bool explains(const CellBox& box) const;
+  bool explains(const CellBox& box);
+  /// True where an earlier proof says so already.
+  bool is_explained(const CellBox& box) const;
 
   /// nullopt where it is not proven that all common points in the box are points of the curve and of one branch that
   /// crosses it.
@@ -89,6 +96,18 @@ class ContactCurve {
   struct Region;
   struct Forms;
   struct Tables;
+  /// A parallelogram of the base's parameters with a box of the other's that was explained.
+  struct Explained {
+    std::array<double, 2> origin{};
+    std::array<double, 2> across{};
+    std::array<double, 2> along{};
+    double reach = 0;
+    double length = 0;
+    std::array<double, 2> lower{};
+    std::array<double, 2> upper{};
+
+    bool covers(const CellBox& box) const;
+  };
 
   std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
   Forms forms_on(const Region& region) const;
@@ -116,6 +135,7 @@ class ContactCurve {
   std::array<IntervalPolynomial, 2> by_;
   std::array<IntervalPolynomial, 2> numerator_;
   std::array<IntervalPolynomial, 2> denominator_;
+  std::vector<Explained> explained_;
 };
 
 }  // namespace eliminant::bridge

@@ -71,6 +71,7 @@ bool ContactCurves::explains(const CellBox& box) {
   for (std::size_t k = 0; k < 4; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     constexpr double growth = 2;
+    if (curves_[i].is_explained(box)) return true;
     if (size > growth * explained_size_[i] || !curves_[i].explains(box)) continue;
     explained_size_[i] = size;
     return true;
@@ -78,20 +79,27 @@ bool ContactCurves::explains(const CellBox& box) {
   return false;
 }
 
-std::optional<CellBox> ContactCurves::explained_around(const std::array<double, 4>& point,
+std::optional<CellBox> ContactCurves::explained_around(std::size_t axis, const std::array<double, 4>& near,
                                                        const std::array<double, 4>& half_width) {
-  if (curves_.empty()) return std::nullopt;
-  constexpr int most_halvings = 12;
-  for (int i = 0; i < most_halvings; ++i) {
-    CellBox box;
-    for (std::size_t k = 0; k < 4; ++k) {
-      // Widths that stand for roundings stay.
-      constexpr double least = 0x1p-40;
-      const double half = std::max(std::ldexp(half_width[k], -i), std::min(half_width[k], least));
-      box.lower[k] = point[k] - half;
-      box.upper[k] = point[k] + half;
+  for (const ContactCurve& curve : curves_) {
+    const auto point = curve.point_on_cut(axis, near);
+    if (!point) continue;
+    bool is_near = true;
+    for (std::size_t k = 0; k < 4; ++k)
+      is_near = is_near && (k == axis || std::fabs((*point)[k] - near[k]) < half_width[k]);
+    if (!is_near) continue;
+    constexpr int most_halvings = 12;
+    for (int i = 0; i < most_halvings; ++i) {
+      CellBox box;
+      for (std::size_t k = 0; k < 4; ++k) {
+        // The width across the cut stands for roundings.
+        const double half = k == axis ? half_width[k] : std::ldexp(half_width[k], -i);
+        const double middle = k == axis ? near[k] : (*point)[k];
+        box.lower[k] = middle - half;
+        box.upper[k] = middle + half;
+      }
+      if (explains(box)) return box;
     }
-    if (explains(box)) return box;
   }
   return std::nullopt;
 }

@@ -37,8 +37,9 @@ class ContactCurves {
   /// Whether these parameters are a point of one, exactly.
   bool holds(const std::array<symbolic::Rational, 4>& parameters) const;
 
-  /// The largest of a few boxes around a point, at most of that half width in each parameter, that is explained.
-  std::optional<CellBox> explained_around(const std::array<double, 4>& point,
+  /// On a cut, where the parameter of the axis is that of `near`: the largest of a few boxes around a point of a curve
+  /// that is explained, at most of that half width in each parameter; nullopt where no curve passes that near.
+  std::optional<CellBox> explained_around(std::size_t axis, const std::array<double, 4>& near,
                                           const std::array<double, 4>& half_width);
 
   /// As ContactCurve::crossing, and the index of the curve.

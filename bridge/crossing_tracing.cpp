@@ -33,7 +33,9 @@ TracedArc trace_to_crossing(const ContactCurve& curve, const CrossingPoint& from
   double slope = x / start;
   for (double i = 0; i <= steps; ++i) {
     const double y = std::copysign(std::fabs(start) - i * step, start);
-    const auto point = curve.branch_point(crossing, x, y);
+    auto point = curve.branch_point(crossing, x, y);
+    constexpr double poor = 1e-6;
+    if (!point || point->error > poor) point = curve.branch_point(crossing, slope * y, y);
     if (!point) return arc;
     worst = std::max(worst, point->error);
     TracedPoint traced;

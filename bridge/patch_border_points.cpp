@@ -164,8 +164,8 @@ class BorderSearch {
       point[problem.place[k]] = near[k];
       half[problem.place[k]] = std::min(reach, 0.5);
     }
-    auto box = curves_->explained_around(point, half);
-    if (!box && curves_->find(point, reach)) box = curves_->explained_around(point, half);
+    auto box = curves_->explained_around(problem.axis, point, half);
+    if (!box && curves_->find(point, reach)) box = curves_->explained_around(problem.axis, point, half);
     if (!box) return std::nullopt;
     OpenBox result{};
     for (std::size_t k = 0; k < 3; ++k) {
