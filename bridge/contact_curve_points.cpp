@@ -40,7 +40,8 @@ class Following {
       ContactConditions here = contact_conditions(first_, second_, x);
       for (long row = 0; row < 4; ++row) {
         const double size = here.jacobian.row(row).lpNorm<Eigen::Infinity>();
-        if (!(size > 0)) return std::nullopt;
+        // Along a parameter line a condition may be void.
+        if (!(size > 0)) continue;
         here.jacobian.row(row) /= size;
         here.value[row] /= size;
       }

@@ -7,11 +7,15 @@
 
 #include <eliminant/bridge/contact_curve_points.hpp>
 #include <eliminant/bridge/contact_relation_fit.hpp>
+#include <eliminant/bridge/function_net.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 
 namespace eliminant::bridge {
 
 namespace {
+
+/// Around singular points of a curve nothing is ever proven.
+constexpr unsigned long most_failures = 20000;
 
 std::vector<symbolic::Polynomial> polynomials_of(const ExactNet& net) {
   const std::size_t row = net.degrees[1] + 1;
@@ -57,7 +61,11 @@ bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, 
   if (swapped)
     for (std::array<double, 4>& p : ordered) p = {p[2], p[3], p[0], p[1]};
   const auto relation = contact_relation_fit(ordered);
-  if (!relation || !symbolic::touch_along(coordinates(swapped), coordinates(!swapped), *relation)) return false;
+  const auto has_zero = [](const symbolic::Polynomial& p) {
+    return !excludes_zero(function_net(p, {symbolic::Interval{0, 1}, symbolic::Interval{0, 1}}), {0, 0}, {1, 1});
+  };
+  if (!relation || has_zero(relation->denominator[0]) || has_zero(relation->denominator[1])) return false;
+  if (!symbolic::touch_along(coordinates(swapped), coordinates(!swapped), *relation)) return false;
   if (swapped)
     curves_.emplace_back(second_, first_, *relation, true);
   else
@@ -72,7 +80,11 @@ bool ContactCurves::explains(const CellBox& box) {
   for (std::size_t i = 0; i < curves_.size(); ++i) {
     constexpr double growth = 2;
     if (curves_[i].is_explained(box)) return true;
-    if (size > growth * explained_size_[i] || !curves_[i].explains(box)) continue;
+    if (size > growth * explained_size_[i] || failures_ > most_failures) continue;
+    if (!curves_[i].explains(box)) {
+      ++failures_;
+      continue;
+    }
     explained_size_[i] = size;
     return true;
   }
@@ -120,14 +132,18 @@ bool ContactCurves::holds(const std::array<symbolic::Rational, 4>& parameters) c
   });
 }
 
-std::optional<ContactCurves::Crossing> ContactCurves::crossing(const CellBox& box) const {
-  for (std::size_t i = 0; i < curves_.size(); ++i)
-    if (const auto found = curves_[i].crossing(box)) {
-      Crossing result;
-      static_cast<CurveCrossing&>(result) = *found;
-      result.curve = i;
-      return result;
+std::optional<ContactCurves::Crossing> ContactCurves::crossing(const CellBox& box) {
+  for (std::size_t i = 0; i < curves_.size() && failures_ <= most_failures; ++i) {
+    const auto found = curves_[i].crossing(box);
+    if (!found) {
+      ++failures_;
+      continue;
     }
+    Crossing result;
+    static_cast<CurveCrossing&>(result) = *found;
+    result.curve = i;
+    return result;
+  }
   return std::nullopt;
 }
 

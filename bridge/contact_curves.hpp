@@ -46,7 +46,7 @@ class ContactCurves {
   struct Crossing : CurveCrossing {
     std::size_t curve = 0;
   };
-  std::optional<Crossing> crossing(const CellBox& box) const;
+  std::optional<Crossing> crossing(const CellBox& box);
 
  private:
   bool is_known(const std::array<double, 4>& point) const;
@@ -66,6 +66,8 @@ class ContactCurves {
   /// Attempts left, at points and at equations.
   int attempts_ = 60;
   int equations_ = 4;
+  /// Boxes of which nothing was proven.
+  unsigned long failures_ = 0;
 };
 
 }  // namespace eliminant::bridge

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace eliminant::bridge {
@@ -23,9 +24,19 @@ TracedArc trace_to_crossing(const ContactCurve& curve, const CrossingPoint& from
   const double unit_error = curve.chord_error(crossing, 1, 0);
   constexpr double fewest = 2;
   constexpr double most = 1000;
-  // Nearer to the crossing the patches can hardly be told apart.
-  constexpr double nearest = 0x1p-11;
-  const double last = std::min(nearest, 0.25 * std::fabs(start));
+  // Nearer to the crossing the patches can hardly be told apart; a long last chord is far from the branch.
+  double last = 0;
+  double least_error = std::numeric_limits<double>::infinity();
+  for (double y = 0.25 * std::fabs(start); y > 0x1p-14; y *= 0.5) {
+    const auto point = curve.branch_point(crossing, x / start * std::copysign(y, start), std::copysign(y, start));
+    if (!point) continue;
+    const double error = curve.chord_error(crossing, y, point->error);
+    if (error < least_error) {
+      least_error = error;
+      last = y;
+    }
+  }
+  if (last == 0) return arc;
   const double way = std::fabs(start) - last;
   const double steps = std::clamp(std::ceil(way / std::sqrt(0.5 * tolerance / unit_error)), fewest, most);
   const double step = way / steps;

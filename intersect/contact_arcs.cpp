@@ -68,6 +68,7 @@ class Arcs {
     constexpr SideRoles borders{{{SideRole::border, SideRole::border}, {SideRole::border, SideRole::border}}};
     graph_.emplace(piece_, factors_, true, borders, options, context_);
     result_.complete = graph_->complete() && is_smooth();
+    if (!result_.complete) return std::move(result_);
     for (const BranchChain& chain : graph_->chains()) add(chain);
     for (std::size_t i = 0; i < crossings_.size(); ++i) cut_at(i);
     return std::move(result_);

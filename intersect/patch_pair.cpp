@@ -437,15 +437,19 @@ class PatchPair {
 
   bridge::TracedArc traced_arc(bridge::BranchTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
-    if (!arc.contact && !arc.crossing)
-      return tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
+    // Next to a curve of contact, as next to a point of contact, doubles tell both surfaces apart so far only.
+    constexpr double most = 4096;
+    if (!arc.contact && !arc.crossing) {
+      bridge::TracedArc traced = tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
+      for (double factor = 4; !graph_.crossings.empty() && !traced.proven && factor < most; factor *= 4)
+        traced = tracer.trace(from, graph_.points[arc.to], arc.box, factor * tolerance_, context_);
+      return traced;
+    }
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
       return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_);
     }
-    // Next to a contact doubles tell both surfaces apart so far only.
     bridge::TracedArc traced;
-    constexpr double most = 4096;
     for (double factor = 1; !traced.proven && factor < most; factor *= 4)
       traced = tracer.trace_to_contact(from, graph_.contacts[*arc.contact], *prover_, factor * tolerance_, context_);
     return traced;

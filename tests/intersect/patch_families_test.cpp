@@ -186,8 +186,6 @@ bool may_stay_open(const std::string& family) {
                                               "rational crossing contact",
                                               "skew crossing contact",
                                               "cusp",
-                                              "contact along a curve",
-                                              "skew contact along a curve",
                                               "meeting along an edge",
                                               "touching an edge",
                                               "beside each other, with a common edge",
