@@ -256,9 +256,10 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
   const IntervalPolynomial by_y = curve.derivative(1);
   const DoubleInterval steep = by_x.on(all, lines);
   result.slope = -by_y.on(all, lines) / steep;
-  result.bend = -(by_y.derivative(1).on(all, lines) + DoubleInterval(2) * result.slope * by_x.derivative(1).on(all, lines) +
-                  result.slope * result.slope * by_x.derivative(0).on(all, lines)) /
-                steep;
+  result.bend =
+      -(by_y.derivative(1).on(all, lines) + DoubleInterval(2) * result.slope * by_x.derivative(1).on(all, lines) +
+        result.slope * result.slope * by_x.derivative(0).on(all, lines)) /
+      steep;
   if (!result.slope.is_finite() || !result.bend.is_finite()) return std::nullopt;
 
   OpenBox of_base{};
@@ -542,9 +543,10 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   const DoubleInterval moving_third = forms.xxxy + around->slope * forms.xxxx;
   const DoubleInterval turning_twice = forms.xxyy + DoubleInterval(2) * around->slope * forms.xxxy +
                                        around->slope * around->slope * forms.xxxx + around->bend * forms.xxx;
-  const DoubleInterval offset_bend = -(DoubleInterval(3) * turning_twice + DoubleInterval(2) * moving_third * offset_slope +
-                                       DoubleInterval(0.5) * forms.xxxx * offset_slope * offset_slope) /
-                                     forms.xxx;
+  const DoubleInterval offset_bend =
+      -(DoubleInterval(3) * turning_twice + DoubleInterval(2) * moving_third * offset_slope +
+        DoubleInterval(0.5) * forms.xxxx * offset_slope * offset_slope) /
+      forms.xxx;
   result.branch_slope = (around->slope + offset_slope).magnitude();
   result.branch_bend = (around->bend + offset_bend).magnitude();
   // In a smaller box more is known of the branch.

@@ -50,8 +50,8 @@ struct BranchPoint {
 
 /// A curve along which two patches touch, and what is proven of the intersection around it.
 ///
-/// With (s, t) as the function of (u, v) that keeps the coordinates along a tangent plane equal, the rest h(u, v) of the
-/// difference vanishes to second order on the curve. Where the curve meets every line of one direction in a
+/// With (s, t) as the function of (u, v) that keeps the coordinates along a tangent plane equal, the rest h(u, v) of
+/// the difference vanishes to second order on the curve. Where the curve meets every line of one direction in a
 /// parallelogram and the second derivative of h in that direction has one sign, h has no other zero there (Rolle).
 /// Where the third one has one sign, each line has one zero more, which moves along one smooth branch; it crosses the
 /// curve once where the second derivative changes its sign along the curve, monotonically.
@@ -88,8 +88,8 @@ class ContactCurve {
   /// The point of the branch at a value y that is not 0, near `x`; nullopt where doubles do not find it.
   std::optional<BranchPoint> branch_point(const CurveCrossing& crossing, double x, double y) const;
 
-  /// Bounds the distance in space of the branch from a chord between two points of it, apart by `step` in y and wrong by
-  /// at most `error` in x; infinite where nothing is known.
+  /// Bounds the distance in space of the branch from a chord between two points of it, apart by `step` in y and wrong
+  /// by at most `error` in x; infinite where nothing is known.
   double chord_error(const CurveCrossing& crossing, double step, double error) const;
 
  private:

@@ -54,8 +54,7 @@ std::optional<Polynomial> polynomial_of(const std::vector<Monomial>& monomials, 
 /// The one polynomial with these monomials that vanishes at the points.
 std::optional<Polynomial> vanishing(const std::vector<Monomial>& monomials, const Points& points) {
   MatrixXd matrix(points.size(), monomials.size());
-  for (std::size_t k = 0; k < monomials.size(); ++k)
-    matrix.col(static_cast<long>(k)) = values_of(monomials[k], points);
+  for (std::size_t k = 0; k < monomials.size(); ++k) matrix.col(static_cast<long>(k)) = values_of(monomials[k], points);
   const Eigen::JacobiSVD<MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const VectorXd sizes = svd.singularValues();
   const long last = sizes.size() - 1;

@@ -417,8 +417,7 @@ class BorderSearch {
 
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
                                  const ExactNet& exact_second, const BorderMeetings& meetings,
-                                 const ContainedParts& contained_parts, const Context& context,
-                                 ContactCurves* curves) {
+                                 const ContainedParts& contained_parts, const Context& context, ContactCurves* curves) {
   return BorderSearch(first, second, exact_first, exact_second, meetings, contained_parts, context, curves).run();
 }
 

@@ -243,8 +243,7 @@ class Arcs {
     const std::array<double, 2> along{b[first] - a[first], b[first + 1] - a[first + 1]};
     const std::array<double, 2> to{p[0] - a[first], p[1] - a[first + 1]};
     const double square = along[0] * along[0] + along[1] * along[1];
-    const double share =
-        square > 0 ? std::clamp((to[0] * along[0] + to[1] * along[1]) / square, 0.0, 1.0) : 0.0;
+    const double share = square > 0 ? std::clamp((to[0] * along[0] + to[1] * along[1]) / square, 0.0, 1.0) : 0.0;
     return std::hypot(to[0] - share * along[0], to[1] - share * along[1]);
   }
 

@@ -363,7 +363,8 @@ class PatchPair {
       crossings.push_back(graph_.crossings[i].crossing);
       singular.push_back(graph_.contacts.size() + i);
     }
-    const PatchNets base = curve.swapped() ? PatchNets{second_net_, second_.exact} : PatchNets{first_net_, first_.exact};
+    const PatchNets base =
+        curve.swapped() ? PatchNets{second_net_, second_.exact} : PatchNets{first_net_, first_.exact};
     const ContactArcs found =
         contact_arcs(curve, base, crossings, tolerance_, std::min(size_of(first_), size_of(second_)), context_);
     if (!found.complete)
@@ -485,8 +486,7 @@ class PatchPair {
                                        [&](const bridge::CellCrossing& c) { return c.point == index; });
     if (crossing != graph_.crossings.end()) {
       end.kind = BranchEndKind::singular;
-      end.singular_point =
-          graph_.contacts.size() + static_cast<std::size_t>(crossing - graph_.crossings.begin());
+      end.singular_point = graph_.contacts.size() + static_cast<std::size_t>(crossing - graph_.crossings.begin());
       return end;
     }
     const auto on_border = std::find_if(point.side.begin(), point.side.end(), [](int side) { return side != 0; });

@@ -31,8 +31,8 @@ const PatchText saddle{"u", "v", "u*v"};
 }  // namespace
 
 TEST_CASE("Contact curves: recognised and proven, lines, conics and parabolas, irrational points included") {
-  for (const std::string curve : {"u - 1/3", "v - 2*u/7 - 1/5", "u*v + u/3 - 1/4", "u^2 + 2*v^2 - 3*u/4 - v + 1/2",
-                                  "v - 1/4 - u^2/2"}) {
+  for (const std::string curve :
+       {"u - 1/3", "v - 2*u/7 - 1/5", "u*v + u/3 - 1/4", "u^2 + 2*v^2 - 3*u/4 - v + 1/2", "v - 1/4 - u^2/2"}) {
     CAPTURE(curve);
     Pair pair(saddle, {"u", "v", "u*v + (" + curve + ")^2*(2 + u)"});
     // Somewhere not far.
