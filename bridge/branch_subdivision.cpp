@@ -53,6 +53,12 @@ class Subdivision {
         graph_.complete = false;
         break;
       }
+      // Around singular points of a curve of contact there is no end.
+      if (curves_ != nullptr && curves_->is_exhausted()) {
+        graph_.open.push_back(box_of(stack_.back()));
+        graph_.complete = false;
+        break;
+      }
       constexpr unsigned long checked_every = 256;
       if (graph_.cells % checked_every == 0) context_.checkpoint("subdividing");
       step();
@@ -314,6 +320,7 @@ class Subdivision {
       (distance < 0 ? below : above).push_back(i);
     }
     const auto found = points_on_cut(cell, axis, at);
+    if (!found && curves_ != nullptr) curves_->count_failed_cut();
     if (!found || (uncrossed && !found->empty())) return false;
     for (const CrossingPoint& point : *found) {
       below.push_back(graph_.points.size());

@@ -116,6 +116,14 @@ std::optional<CellBox> ContactCurves::explained_around(std::size_t axis, const s
   return std::nullopt;
 }
 
+bool ContactCurves::is_exhausted() const { return failures_ > most_failures; }
+
+void ContactCurves::count_failed_cut() {
+  // As dear as many boxes.
+  constexpr unsigned long boxes = 10;
+  if (!curves_.empty()) failures_ += boxes;
+}
+
 bool ContactCurves::holds(const std::array<symbolic::Rational, 4>& parameters) const {
   return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) {
     const symbolic::ContactRelation& relation = curve.relation();

@@ -37,6 +37,10 @@ class ContactCurves {
   /// Whether these parameters are a point of one, exactly.
   bool holds(const std::array<symbolic::Rational, 4>& parameters) const;
 
+  /// After too many failures around the curves that were found: more would come to nothing.
+  bool is_exhausted() const;
+  void count_failed_cut();
+
   /// On a cut, where the parameter of the axis is that of `near`: the largest of a few boxes around a point of a curve
   /// that is explained, at most of that half width in each parameter; nullopt where no curve passes that near.
   std::optional<CellBox> explained_around(std::size_t axis, const std::array<double, 4>& near,
