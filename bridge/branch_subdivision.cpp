@@ -31,11 +31,13 @@ struct Cell {
 class Subdivision {
  public:
   Subdivision(const ControlNet& first, const ControlNet& second, std::vector<ContainedBorder> contained,
-              const SurfaceContactProver* contacts, const BranchLimits& limits, const Context& context)
+              const SurfaceContactProver* contacts, ContactCurves* curves, const BranchLimits& limits,
+              const Context& context)
       : first_(first),
         second_(second),
         contained_(std::move(contained)),
         contacts_(contacts),
+        curves_(curves),
         limits_(limits),
         context_(context) {
     std::copy(first.degrees.begin(), first.degrees.end(), test_.first.shape.degree.begin());
@@ -55,6 +57,12 @@ class Subdivision {
     for (std::size_t i = 0; i < graph_.points.size(); ++i) stack_.back().points.push_back(i);
     while (!stack_.empty() && graph_.complete) {
       if (++graph_.cells > limits_.most_cells) {
+        graph_.complete = false;
+        break;
+      }
+      // Around singular points of a curve of contact there is no end.
+      if (curves_ != nullptr && curves_->is_exhausted()) {
+        graph_.open.push_back(box_of(stack_.back()));
         graph_.complete = false;
         break;
       }
@@ -93,12 +101,12 @@ class Subdivision {
       return;
     }
     if (verdict.regular && cell.points.size() <= 2 && cell.points.size() != 1) {
-      if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box_of(cell), {}});
+      if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box_of(cell), {}, {}});
       stack_.pop_back();
       return;
     }
     const double widest = *std::max_element(cell.width.begin(), cell.width.end());
-    if (!verdict.excluded && !verdict.regular && settle_contact(cell, widest)) {
+    if (!verdict.excluded && !verdict.regular && (settle_contact_curve(cell, widest) || settle_contact(cell, widest))) {
       stack_.pop_back();
       return;
     }
@@ -177,6 +185,50 @@ class Subdivision {
     return keep_distance(first_, second_, box_of(cell));
   }
 
+  /// True when the intersection in the cell is a part of a curve of contact, and perhaps a branch that crosses it.
+  bool settle_contact_curve(const Cell& cell, double widest) {
+    constexpr double small = 0.5;
+    if (curves_ == nullptr || !(widest < small)) return false;
+    const CellBox box = box_of(cell);
+    if (widest < look_for_curve_) {
+      std::array<double, 4> middle;
+      for (std::size_t k = 0; k < 4; ++k) middle[k] = 0.5 * (box.lower[k] + box.upper[k]);
+      if (!curves_->find(middle, widest)) look_for_curve_ = 0.5 * widest;
+    }
+    if (curves_->curves().empty()) return false;
+    if (cell.points.empty() && curves_->explains(box)) return true;
+    if (cell.points.size() != 2) return false;
+    const auto crossing = curves_->crossing(box);
+    if (!crossing) return false;
+    if (!crossing->inside) {
+      graph_.arcs.push_back({cell.points[0], cell.points[1], box, {}, {}});
+      return true;
+    }
+    return add_crossing(cell, box, *crossing);
+  }
+
+  bool add_crossing(const Cell& cell, const CellBox& box, const ContactCurves::Crossing& crossing) {
+    std::array<double, 2> height{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const CrossingPoint& point = graph_.points[cell.points[i]];
+      double unsure = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        height[i] += crossing.growing[k] * (point.parameters[k] - crossing.parameters[k]);
+        unsure += std::fabs(crossing.growing[k]) * (point.radius + crossing.radius);
+      }
+      if (!(std::fabs(height[i]) > unsure)) return false;
+    }
+    if ((height[0] > 0) == (height[1] > 0)) return false;
+    CrossingPoint point;
+    point.parameters = crossing.parameters;
+    point.radius = crossing.radius;
+    for (const std::size_t i : cell.points)
+      graph_.arcs.push_back({i, graph_.points.size(), box, {}, graph_.crossings.size()});
+    graph_.crossings.push_back({crossing, box, graph_.points.size()});
+    graph_.points.push_back(point);
+    return true;
+  }
+
   /// True when a contact is in the cell, and all of the intersection there is its arcs.
   bool settle_contact(const Cell& cell, double widest) {
     constexpr double small = 0.25;
@@ -197,7 +249,7 @@ class Subdivision {
     point.parameters = contact->rounded;
     point.radius = place_slack;
     for (const std::size_t i : cell.points)
-      graph_.arcs.push_back({i, graph_.points.size(), box, graph_.contacts.size()});
+      graph_.arcs.push_back({i, graph_.points.size(), box, graph_.contacts.size(), {}});
     graph_.contacts.push_back({*contact, *around, box, graph_.points.size()});
     graph_.points.push_back(point);
     return true;
@@ -287,6 +339,7 @@ class Subdivision {
       (distance < 0 ? below : above).push_back(i);
     }
     const auto found = points_on_cut(cell, axis, at);
+    if (!found && curves_ != nullptr) curves_->count_failed_cut();
     if (!found || (uncrossed && !found->empty())) return false;
     for (const CrossingPoint& point : *found) {
       below.push_back(graph_.points.size());
@@ -335,7 +388,12 @@ class Subdivision {
     // They are only to be told apart.
     limits.largest_radius = 0x1p-12;
     limits.part = *std::max_element(cell.width.begin(), cell.width.end());
-    const SubdivisionResult found = bernstein_subdivision(curve, patch, nullptr, limits, context_);
+    FindContact find_contact;
+    if (curves_ != nullptr)
+      find_contact = [&](const std::array<double, 3>& near, double reach) {
+        return explained_on_cut(cell, axis, at, near, reach);
+      };
+    const SubdivisionResult found = bernstein_subdivision(curve, patch, find_contact, limits, context_);
     if (!found.complete || !found.open.empty()) return std::nullopt;
     std::vector<CrossingPoint> points;
     for (const IsolatedZero& zero : found.zeros) {
@@ -363,6 +421,32 @@ class Subdivision {
     return points;
   }
 
+  /// Parameters of a cut around `near`, in which there are only points of curves of contact.
+  std::optional<OpenBox> explained_on_cut(const Cell& cell, std::size_t axis, double at,
+                                          const std::array<double, 3>& near, double reach) const {
+    const bool of_first = axis < 2;
+    const std::array<std::size_t, 3> place{of_first ? 1 - axis : 5 - axis, of_first ? 2U : 0U, of_first ? 3U : 1U};
+    std::array<double, 4> point{};
+    std::array<double, 4> half{};
+    point[axis] = cell.lower[axis] + at * cell.width[axis];
+    // The place is rounded.
+    half[axis] = place_slack;
+    for (std::size_t k = 0; k < 3; ++k) {
+      point[place[k]] = cell.lower[place[k]] + near[k] * cell.width[place[k]];
+      half[place[k]] = std::min(reach, 1.0) * cell.width[place[k]];
+    }
+    auto box = curves_->explained_around(axis, point, half);
+    const double widest = *std::max_element(half.begin(), half.end());
+    if (!box && curves_->find(point, widest)) box = curves_->explained_around(axis, point, half);
+    if (!box) return std::nullopt;
+    OpenBox result{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.lower[k] = (box->lower[place[k]] - cell.lower[place[k]]) / cell.width[place[k]];
+      result.upper[k] = (box->upper[place[k]] - cell.lower[place[k]]) / cell.width[place[k]];
+    }
+    return result;
+  }
+
   /// The curve where the parameter of the axis has that value, by de Casteljau's algorithm.
   static ControlNet section(const std::vector<Array4d>& points, const Array4d& error, const Side<2>& side,
                             std::size_t axis, double at) {
@@ -387,10 +471,12 @@ class Subdivision {
   const ControlNet& second_;
   std::vector<ContainedBorder> contained_;
   const SurfaceContactProver* contacts_;
+  ContactCurves* curves_;
   const BranchLimits& limits_;
   const Context& context_;
   std::vector<SurfaceContact> known_contacts_;
   double look_for_contact_ = 0.25;
+  double look_for_curve_ = 0.25;
   SurfaceCell test_;
   std::vector<Cell> stack_;
   BranchGraph graph_;
@@ -400,8 +486,8 @@ class Subdivision {
 
 BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
                                std::vector<ContainedBorder> contained, const SurfaceContactProver* contacts,
-                               const BranchLimits& limits, const Context& context) {
-  return Subdivision(first, second, std::move(contained), contacts, limits, context).run(std::move(border));
+                               const BranchLimits& limits, const Context& context, ContactCurves* curves) {
+  return Subdivision(first, second, std::move(contained), contacts, curves, limits, context).run(std::move(border));
 }
 
 }  // namespace eliminant::bridge

@@ -8,6 +8,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/cell_box.hpp>
+#include <eliminant/bridge/contact_curves.hpp>
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
 
@@ -29,6 +30,8 @@ struct CellArc {
   CellBox box;
   /// `to` is a contact: index into BranchGraph::contacts.
   std::optional<std::size_t> contact;
+  /// `to` is on a curve of contact: index into BranchGraph::crossings.
+  std::optional<std::size_t> crossing;
 };
 
 /// A contact, all of the intersection in its box: a point of its own, or four arcs that meet there.
@@ -40,12 +43,21 @@ struct CellContact {
   std::size_t point = 0;
 };
 
+/// A point in which a branch crosses a curve of contact, all of the intersection in its box beside that curve.
+struct CellCrossing {
+  ContactCurves::Crossing crossing;
+  CellBox box;
+  /// Index of the point.
+  std::size_t point = 0;
+};
+
 /// The intersection as a graph: crossing points of degree 1 (on the border) or 2, contacts of degree 0 or 4, arcs
-/// between them.
+/// between them. Curves of contact are no part of it.
 struct BranchGraph {
   std::vector<CrossingPoint> points;
   std::vector<CellArc> arcs;
   std::vector<CellContact> contacts;
+  std::vector<CellCrossing> crossings;
   /// Parts of the domain of which nothing is proven: contacts, singular points, arcs that touch the border. Not all of
   /// them, when `complete` is false.
   std::vector<CellBox> open;
@@ -71,10 +83,11 @@ struct BranchLimits {
 /// are monotone in one direction of space (SurfaceCell), and at most one of these. Wherever a part is cut, the points
 /// on the cut are all points of a curve on a patch (bernstein_subdivision): a monotone arc has exactly two on the sides
 /// of its cell. A cut is moved where it would pass near points that are known already, or touch the intersection.
-/// Where parts are small and not transversal, `contacts` (if given) is asked for a point of contact that explains it.
+/// Where parts are small and not transversal, `contacts` (if given) is asked for a point of contact that explains it,
+/// and `curves` (if given) for a curve of contact: parts in which there is nothing else are done.
 /// Source: subdivision by transversality [SederbergMeyers1988].
 BranchGraph branch_subdivision(const ControlNet& first, const ControlNet& second, std::vector<CrossingPoint> border,
                                std::vector<ContainedBorder> contained, const SurfaceContactProver* contacts,
-                               const BranchLimits& limits, const Context& context);
+                               const BranchLimits& limits, const Context& context, ContactCurves* curves = nullptr);
 
 }  // namespace eliminant::bridge

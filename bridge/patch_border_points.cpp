@@ -60,13 +60,14 @@ class BorderSearch {
  public:
   BorderSearch(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
                const ExactNet& exact_second, const BorderMeetings& meetings, const ContainedParts& contained_parts,
-               const Context& context)
+               const Context& context, ContactCurves* curves)
       : nets_{&first, &second},
         exact_{&exact_first, &exact_second},
         jets_{PatchJets(first), PatchJets(second)},
         meetings_(meetings),
         contained_parts_(contained_parts),
-        context_(context) {}
+        context_(context),
+        curves_(curves) {}
 
   BorderPoints run() && {
     for (std::size_t axis = 0; axis < 4; ++axis)
@@ -95,7 +96,9 @@ class BorderSearch {
     };
     const ContactProver::Exact of_patch = [&]() -> const ExactNet& { return *exact_[1 - own]; };
     ContactProver prover(curve, patch, of_curve, of_patch);
+    const BorderProblem problem{axis, side, {2 * own + 1 - axis % 2, 2 - 2 * own, 3 - 2 * own}};
     const FindContact find_contact = [&](const std::array<double, 3>& near, double reach) {
+      if (const auto box = on_contact_curve(problem, near, reach)) return box;
       return prover.find(near, reach);
     };
     SubdivisionResult found = bernstein_subdivision(curve, patch, find_contact, SubdivisionLimits(), context_);
@@ -115,9 +118,40 @@ class BorderSearch {
       if (!parts.empty()) result_.open.push_back({axis, side, "a part of the border curve lies in the other surface"});
       return;
     }
-    const BorderProblem problem{axis, side, {2 * own + 1 - axis % 2, 2 - 2 * own, 3 - 2 * own}};
     for (const IsolatedZero& zero : found.zeros) add_crossing(problem, zero, prover, of_curve);
-    for (const RationalZero& contact : prover.contacts()) add_contact(problem, contact);
+    for (const RationalZero& contact : prover.contacts())
+      if (!is_on_contact_curve(problem, contact)) add_contact(problem, contact);
+  }
+
+  /// Parameters of a border curve and the other patch around `near`, in which there are only points of curves of
+  /// contact.
+  std::optional<OpenBox> on_contact_curve(const BorderProblem& problem, const std::array<double, 3>& near,
+                                          double reach) {
+    if (curves_ == nullptr) return std::nullopt;
+    std::array<double, 4> point{};
+    std::array<double, 4> half{};
+    point[problem.axis] = problem.side < 0 ? 0 : 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      point[problem.place[k]] = near[k];
+      half[problem.place[k]] = std::min(reach, 0.5);
+    }
+    auto box = curves_->explained_around(problem.axis, point, half);
+    if (!box && curves_->find(point, reach)) box = curves_->explained_around(problem.axis, point, half);
+    if (!box) return std::nullopt;
+    OpenBox result{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.lower[k] = box->lower[problem.place[k]];
+      result.upper[k] = box->upper[problem.place[k]];
+    }
+    return result;
+  }
+
+  bool is_on_contact_curve(const BorderProblem& problem, const RationalZero& contact) const {
+    if (curves_ == nullptr || curves_->curves().empty()) return false;
+    std::array<Rational, 4> parameters;
+    parameters[problem.axis] = Rational(problem.side < 0 ? 0 : 1);
+    for (std::size_t k = 0; k < 3; ++k) parameters[problem.place[k]] = contact.parameters[k];
+    return curves_->holds(parameters);
   }
 
   static CrossingPoint placed(const BorderProblem& problem, const IsolatedZero& zero) {
@@ -360,6 +394,7 @@ class BorderSearch {
   const BorderMeetings& meetings_;
   const ContainedParts& contained_parts_;
   const Context& context_;
+  ContactCurves* curves_;
   std::vector<std::pair<CrossingPoint, OpenBorder>> undecided_;
   BorderPoints result_;
 };
@@ -368,8 +403,8 @@ class BorderSearch {
 
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
                                  const ExactNet& exact_second, const BorderMeetings& meetings,
-                                 const ContainedParts& contained_parts, const Context& context) {
-  return BorderSearch(first, second, exact_first, exact_second, meetings, contained_parts, context).run();
+                                 const ContainedParts& contained_parts, const Context& context, ContactCurves* curves) {
+  return BorderSearch(first, second, exact_first, exact_second, meetings, contained_parts, context, curves).run();
 }
 
 }  // namespace eliminant::bridge

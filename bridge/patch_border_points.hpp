@@ -8,6 +8,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
+#include <eliminant/bridge/contact_curves.hpp>
 #include <eliminant/bridge/control_net.hpp>
 
 namespace eliminant::bridge {
@@ -47,9 +48,11 @@ using ContainedParts = std::function<std::vector<std::array<double, 2>>(std::siz
 
 /// All points of two tensor-product patches on [0, 1]^2 that lie on the border of one of them: each of the eight border
 /// curves against the other patch. Which of them lie on a border of the other patch, too, is decided exactly: by
-/// rational parameters, where two border curves lie in one plane that the patch crosses, or by `meetings`.
+/// rational parameters, where two border curves lie in one plane that the patch crosses, or by `meetings`. Points of
+/// curves of contact, which `curves` (if given) looks for, are left out.
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
                                  const ExactNet& exact_second, const BorderMeetings& meetings,
-                                 const ContainedParts& contained_parts, const Context& context);
+                                 const ContainedParts& contained_parts, const Context& context,
+                                 ContactCurves* curves = nullptr);
 
 }  // namespace eliminant::bridge

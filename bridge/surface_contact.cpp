@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <eliminant/bridge/contact_conditions.hpp>
 #include <eliminant/bridge/double_interval.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/rational_double.hpp>
@@ -18,13 +18,10 @@ namespace eliminant::bridge {
 
 namespace {
 
-using Eigen::Vector3d;
 using Eigen::Vector4d;
 using symbolic::Rational;
 
 constexpr std::size_t weight = 3;
-
-Vector3d vector_of(const Array4d& a) { return {a[0], a[1], a[2]}; }
 
 double middle(const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); }
 
@@ -78,31 +75,8 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
       const auto i = static_cast<std::size_t>(k);
       if (!(x[k] > box.lower[i] - reach) || !(x[k] < box.upper[i] + reach)) return std::nullopt;
     }
-    const PatchJets::Value a = first.at(x[0], x[1]);
-    const PatchJets::Value b = second.at(x[2], x[3]);
-    const std::array<Vector3d, 2> da{vector_of(a.first[0]), vector_of(a.first[1])};
-    const std::array<Vector3d, 2> db{vector_of(b.first[0]), vector_of(b.first[1])};
-    const auto second_of = [](const PatchJets::Value& value, std::size_t i, std::size_t j) {
-      return vector_of(value.second[i + j]);
-    };
-    const Vector3d difference = vector_of(a.point - b.point);
-    const Vector3d normal = db[0].cross(db[1]);
-    Vector4d value;
-    Eigen::Matrix4d jacobian;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto row = static_cast<long>(i);
-      value[row] = normal.dot(da[i]);
-      value[2 + row] = difference.dot(db[i]);
-      for (std::size_t k = 0; k < 2; ++k) {
-        const auto column = static_cast<long>(k);
-        const Vector3d turning = second_of(b, 0, k).cross(db[1]) + db[0].cross(second_of(b, 1, k));
-        jacobian(row, column) = normal.dot(second_of(a, i, k));
-        jacobian(row, 2 + column) = turning.dot(da[i]);
-        jacobian(2 + row, column) = da[k].dot(db[i]);
-        jacobian(2 + row, 2 + column) = difference.dot(second_of(b, i, k)) - db[k].dot(db[i]);
-      }
-    }
-    const Vector4d change = jacobian.partialPivLu().solve(value);
+    const ContactConditions conditions = contact_conditions(first, second, x);
+    const Vector4d change = conditions.jacobian.partialPivLu().solve(conditions.value);
     if (!change.allFinite()) return std::nullopt;
     x -= change;
     last_step = change.lpNorm<Eigen::Infinity>();

@@ -11,7 +11,11 @@ namespace {
 class Walk {
  public:
   explicit Walk(const bridge::BranchGraph& graph)
-      : graph_(graph), arcs_at_(graph.points.size()), done_(graph.arcs.size(), false) {
+      : graph_(graph),
+        arcs_at_(graph.points.size()),
+        ends_here_(graph.points.size(), false),
+        done_(graph.arcs.size(), false) {
+    for (const bridge::CellCrossing& crossing : graph.crossings) ends_here_[crossing.point] = true;
     for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
       arcs_at_[graph.arcs[i].from].push_back(i);
       arcs_at_[graph.arcs[i].to].push_back(i);
@@ -20,7 +24,7 @@ class Walk {
 
   std::vector<BranchChain> run() && {
     for (std::size_t point = 0; point < arcs_at_.size(); ++point)
-      if (arcs_at_[point].size() != 2)
+      if (is_end(point))
         for (const std::size_t arc : arcs_at_[point])
           if (!done_[arc]) follow(point, arc);
     for (std::size_t arc = 0; arc < done_.size(); ++arc)
@@ -29,6 +33,8 @@ class Walk {
   }
 
  private:
+  bool is_end(std::size_t point) const { return arcs_at_[point].size() != 2 || ends_here_[point]; }
+
   void follow(std::size_t start, std::size_t arc) {
     BranchChain chain;
     chain.start = start;
@@ -39,7 +45,7 @@ class Walk {
       chain.arcs.push_back(arc);
       chain.reversed.push_back(reversed);
       point = reversed ? graph_.arcs[arc].from : graph_.arcs[arc].to;
-      if (arcs_at_[point].size() != 2) break;
+      if (is_end(point)) break;
       const std::size_t next = arcs_at_[point][0] == arc ? arcs_at_[point][1] : arcs_at_[point][0];
       if (done_[next]) {
         chain.closed = point == start;
@@ -53,6 +59,8 @@ class Walk {
 
   const bridge::BranchGraph& graph_;
   std::vector<std::vector<std::size_t>> arcs_at_;
+  /// Points at which a branch crosses a curve of contact.
+  std::vector<bool> ends_here_;
   std::vector<bool> done_;
   std::vector<BranchChain> chains_;
 };

@@ -10,6 +10,8 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
 #include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/contact_curves.hpp>
+#include <eliminant/bridge/crossing_tracing.hpp>
 #include <eliminant/bridge/patch_border_points.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/rational_double.hpp>
@@ -19,6 +21,7 @@
 #include <eliminant/intersect/border_curves.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
+#include <eliminant/intersect/contact_arcs.hpp>
 #include <eliminant/intersect/patch_overlap.hpp>
 #include <eliminant/intersect/prepared_net.hpp>
 
@@ -139,6 +142,8 @@ class PatchPair {
   }
 
   void subdivide() {
+    bridge::ContactCurves curves(first_net_, second_net_, first_.exact, second_.exact);
+    curves_ = &curves;
     BorderCurves borders(first_.exact, second_.exact, context_);
     const bridge::BorderPoints border = bridge::patch_border_points(
         first_net_, second_net_, first_.exact, second_.exact,
@@ -147,7 +152,7 @@ class PatchPair {
           if (settle_common_surface()) throw Settled();
           return borders.contained(axis, side);
         },
-        context_);
+        context_, curves_);
     add_contained(border.contained);
     std::vector<bridge::CrossingPoint> ends;
     for (const bridge::BorderPoint& point : border.points) {
@@ -158,10 +163,12 @@ class PatchPair {
     const bridge::SurfaceContactProver contacts(first_net_, second_net_, first_.exact, second_.exact);
     prover_ = &contacts;
     graph_ = bridge::branch_subdivision(first_net_, second_net_, std::move(ends), border.contained, prover_, limits,
-                                        context_);
+                                        context_, curves_);
     for (const bridge::CellContact& contact : graph_.contacts) add_contact(contact);
+    for (const bridge::CellCrossing& crossing : graph_.crossings) add_crossing(crossing);
     for (const BranchChain& chain : branch_chains(graph_)) add_chain(chain);
-    const bool complete = graph_.complete && graph_.open.empty() && border.open.empty();
+    bool complete = graph_.complete && graph_.open.empty() && border.open.empty();
+    for (std::size_t i = 0; i < curves.curves().size(); ++i) complete = add_contact_curve(i) && complete;
     for (const bridge::CellBox& hull : clusters_of(graph_.open)) add_undecided(hull);
     for (const bridge::OpenBorder& open : border.open)
       result_.warnings.push_back(border_name(open.axis, open.side) + ": " + open.reason);
@@ -319,6 +326,65 @@ class PatchPair {
     result_.components.push_back(std::move(component));
   }
 
+  /// They follow the contacts.
+  void add_crossing(const bridge::CellCrossing& crossing) {
+    SurfaceSingularPoint point;
+    point.kind = SurfaceSingularity::crossing;
+    point.at = placed(crossing.crossing.parameters);
+    point.radius = crossing.crossing.radius;
+    bridge::CrossingPoint at;
+    at.parameters = crossing.crossing.parameters;
+    at.radius = crossing.crossing.radius;
+    point.radius = std::max(point.radius, error_in_space(at));
+    point.half_branches = 4;
+    point.certified = true;
+    result_.singular_points.push_back(point);
+  }
+
+  /// The pieces of a curve of contact; false where they are not proven to be all.
+  bool add_contact_curve(std::size_t index) {
+    const bridge::ContactCurve& curve = curves_->curves()[index];
+    std::vector<bridge::CurveCrossing> crossings;
+    std::vector<std::size_t> singular;
+    for (std::size_t i = 0; i < graph_.crossings.size(); ++i) {
+      if (graph_.crossings[i].crossing.curve != index) continue;
+      crossings.push_back(graph_.crossings[i].crossing);
+      singular.push_back(graph_.contacts.size() + i);
+    }
+    const PatchNets base =
+        curve.swapped() ? PatchNets{second_.exact, second_net_} : PatchNets{first_.exact, first_net_};
+    const ContactArcs found =
+        contact_arcs(curve, base, crossings, tolerance_, std::min(size_of(first_), size_of(second_)), context_);
+    if (!found.complete)
+      result_.warnings.emplace_back("the surfaces touch along a curve whose pieces in both domains are not proven");
+    for (const ContactArc& arc : found.arcs) {
+      SurfaceComponent component;
+      component.kind = arc.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
+      component.tangential = true;
+      component.certified = arc.proven && found.complete;
+      if (!component.certified) component.reason = "the pieces of a curve of contact are not proven";
+      for (const bridge::TracedPoint& point : arc.points)
+        component.points.push_back(placed(point.parameters, point.point));
+      component.error = arc.error + rounding_of(component);
+      const auto end_of = [&](const ContactArcEnd& end) {
+        BranchEnd result;
+        result.side = end.side;
+        if (!end.crossing) return result;
+        result.kind = BranchEndKind::singular;
+        result.singular_point = singular[*end.crossing];
+        return result;
+      };
+      component.start = end_of(arc.start);
+      component.end = end_of(arc.end);
+      if (!arc.closed) {
+        put_on_border(component.points.front(), component.start);
+        put_on_border(component.points.back(), component.end);
+      }
+      result_.components.push_back(std::move(component));
+    }
+    return found.complete;
+  }
+
   void add_undecided(const bridge::CellBox& hull) {
     SurfaceSingularPoint point;
     std::array<double, 4> middle;
@@ -360,7 +426,18 @@ class PatchPair {
 
   bridge::TracedArc traced_arc(bridge::BranchTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
-    if (!arc.contact) return tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
+    // Next to a curve of contact doubles tell both surfaces apart so far only.
+    constexpr double most = 4096;
+    if (!arc.contact && !arc.crossing) {
+      bridge::TracedArc traced = tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
+      for (double factor = 4; !graph_.crossings.empty() && !traced.proven && factor < most; factor *= 4)
+        traced = tracer.trace(from, graph_.points[arc.to], arc.box, factor * tolerance_, context_);
+      return traced;
+    }
+    if (arc.crossing) {
+      const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
+      return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_);
+    }
     const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
     return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);
   }
@@ -389,6 +466,13 @@ class PatchPair {
     if (contact != graph_.contacts.end()) {
       end.kind = BranchEndKind::singular;
       end.singular_point = static_cast<std::size_t>(contact - graph_.contacts.begin());
+      return end;
+    }
+    const auto crossing = std::find_if(graph_.crossings.begin(), graph_.crossings.end(),
+                                       [&](const bridge::CellCrossing& c) { return c.point == index; });
+    if (crossing != graph_.crossings.end()) {
+      end.kind = BranchEndKind::singular;
+      end.singular_point = graph_.contacts.size() + static_cast<std::size_t>(crossing - graph_.crossings.begin());
       return end;
     }
     const auto on_border = std::find_if(point.side.begin(), point.side.end(), [](int side) { return side != 0; });
@@ -436,6 +520,7 @@ class PatchPair {
   ControlNet first_net_;
   ControlNet second_net_;
   const bridge::SurfaceContactProver* prover_ = nullptr;
+  bridge::ContactCurves* curves_ = nullptr;
   BranchGraph graph_;
   bool common_surface_asked_ = false;
   SurfaceResult result_;

@@ -16,7 +16,7 @@ namespace {
 BranchGraph graph_of(std::size_t points, const std::vector<std::array<std::size_t, 2>>& arcs) {
   BranchGraph graph;
   graph.points.resize(points);
-  for (const auto& [from, to] : arcs) graph.arcs.push_back({from, to, {}, {}});
+  for (const auto& [from, to] : arcs) graph.arcs.push_back({from, to, {}, {}, {}});
   return graph;
 }
 

@@ -177,7 +177,7 @@ bool says_why(const SurfaceResult& result) {
 
 /// Families of which the engine does not prove every case.
 bool may_stay_open(const std::string& family) {
-  static const std::set<std::string> families{"cusp", "contact along a curve", "skew contact along a curve"};
+  static const std::set<std::string> families{"cusp"};
   return families.contains(family);
 }
 

@@ -133,9 +133,23 @@ TEST_CASE("Patch pairs: arcs end in the contact where they cross, and a touching
   CHECK(touching.singular_points.at(0).kind == SurfaceSingularity::contact);
 }
 
+TEST_CASE("Patch pairs: contact along a curve is a tangential component from border to border, or closed") {
+  const SurfaceResult line = solved(patch(ground), patch({"u", "v", "(u - 1/2)^2"}));
+  CHECK(line.status == Status::certified);
+  REQUIRE(line.components.size() == 1);
+  CHECK(line.components[0].kind == SurfaceComponentKind::curve);
+  CHECK(line.components[0].tangential);
+  // An ellipse without rational points.
+  const SurfaceResult loop = solved(patch(ground), patch({"u", "v", "(u^2 + 2*v^2 - u - 2*v + 13/20)^2"}));
+  CHECK(loop.status == Status::certified);
+  REQUIRE(loop.components.size() == 1);
+  CHECK(loop.components[0].kind == SurfaceComponentKind::loop);
+  CHECK(loop.components[0].tangential);
+}
+
 TEST_CASE("Patch pairs: what cannot be decided is not certified") {
-  // Contact along a line, of higher order, and at irrational parameters; weights of both signs.
-  for (const std::string height : {"(u - 1/2)^2", "(u - 1/2)^2 + (v - 1/2)^4", "(u^2 - 1/3)^2 + (v - 1/2)^2"}) {
+  // Contact of higher order along a line and in a point, and at irrational parameters; weights of both signs.
+  for (const std::string height : {"(u - 1/2)^4", "(u - 1/2)^2 + (v - 1/2)^4", "(u^2 - 1/3)^2 + (v - 1/2)^2"}) {
     CAPTURE(height);
     const SurfaceResult result = solved(patch(ground), patch({"u", "v", height}));
     CHECK(result.status == Status::numeric);

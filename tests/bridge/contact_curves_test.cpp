@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <support/text_patches.hpp>
+
+#include <eliminant/bridge/contact_curves.hpp>
+
+using namespace eliminant;
+using namespace eliminant::bridge;
+using namespace eliminant::test;
+
+namespace {
+
+struct Pair {
+  NetPair nets;
+  ContactCurves curves{nets.first, nets.second, nets.exact_first, nets.exact_second};
+
+  Pair(const PatchText& a, const PatchText& b) : nets(a, b) {}
+  Pair(const Pair&) = delete;
+  Pair& operator=(const Pair&) = delete;
+};
+
+CellBox around(double u, double v, double half) {
+  return {{u - half, v - half, u - half, v - half}, {u + half, v + half, u + half, v + half}};
+}
+
+const PatchText saddle{"u", "v", "u*v"};
+
+}  // namespace
+
+TEST_CASE("Contact curves: recognised and proven, lines, conics and parabolas, irrational points included") {
+  for (const std::string curve :
+       {"u - 1/3", "v - 2*u/7 - 1/5", "u*v + u/3 - 1/4", "u^2 + 2*v^2 - u - 2*v + 13/20", "v - 1/4 - u^2/2"}) {
+    CAPTURE(curve);
+    Pair pair(saddle, {"u", "v", "u*v + (" + curve + ")^2*(2 + u)"});
+    // Somewhere not far.
+    bool found = false;
+    for (const double v : {0.3, 0.5, 0.7})
+      for (const double u : {0.3, 0.5, 0.7}) found = found || pair.curves.find({u, v, u, v}, 0.3);
+    REQUIRE(found);
+    CHECK(pair.curves.curves().size() == 1);
+    const static std::vector<std::string> names{"u", "v"};
+    CHECK(pair.curves.curves()[0].relation().curve == symbolic::parse_polynomial(curve, names).primitive_part());
+  }
+}
+
+TEST_CASE("Contact curves: a point of contact, a transversal curve and a near miss are none") {
+  for (const std::string height : {"(u - 1/2)^2 + (v - 1/3)^2", "u - v", "(u - 1/2)^2 + 1/100000"}) {
+    CAPTURE(height);
+    Pair pair(saddle, {"u", "v", "u*v + " + height});
+    for (const double v : {0.3, 0.5, 0.7})
+      for (const double u : {0.3, 0.5, 0.7}) CHECK_FALSE(pair.curves.find({u, v, u, v}, 0.3));
+    CHECK(pair.curves.curves().empty());
+  }
+}
+
+TEST_CASE("Contact curves: explain boxes around them, and no box with a point of another branch") {
+  // The branch u + v = 1 crosses the line u = v in (1/2, 1/2).
+  Pair pair(saddle, {"u", "v", "u*v + (u - v)^2*(u + v - 1)"});
+  REQUIRE(pair.curves.find({0.2, 0.2, 0.2, 0.2}, 0.2));
+  CHECK(pair.curves.explains(around(0.25, 0.25, 0.02)));
+  CHECK(pair.curves.explains(around(0.76, 0.75, 0.02)));
+  for (const double half : {0.25, 0.0625, 0.01, 0.001}) CHECK_FALSE(pair.curves.explains(around(0.5, 0.5, half)));
+  // A point of the branch beside the curve.
+  for (const double half : {0.25, 0.0625, 0.02}) CHECK_FALSE(pair.curves.explains(around(0.51, 0.49, half)));
+  CHECK(pair.curves.holds({ratio(1, 3), ratio(1, 3), ratio(1, 3), ratio(1, 3)}));
+  CHECK_FALSE(pair.curves.holds({ratio(1, 3), ratio(1, 3), ratio(1, 3), ratio(2, 3)}));
+}
+
+TEST_CASE("Contact curves: a branch that crosses is proven and followed to doubles' accuracy") {
+  Pair pair(saddle, {"u", "v", "u*v + (u - v)^2*(u + v - 1)"});
+  REQUIRE(pair.curves.find({0.2, 0.2, 0.2, 0.2}, 0.2));
+  const auto crossing = pair.curves.crossing(around(0.5, 0.5, 0.005));
+  REQUIRE(crossing);
+  CHECK(crossing->inside);
+  for (const double parameter : crossing->parameters) CHECK(std::fabs(parameter - 0.5) <= crossing->radius);
+  CHECK(crossing->radius < 1e-7);
+  const ContactCurve& curve = pair.curves.curves()[crossing->curve];
+  const auto point = curve.branch_point(*crossing, 0, 0.002);
+  if (point) {
+    const auto& at = point->parameters;
+    CHECK(std::fabs(at[0] + at[1] - 1) <= 2 * point->error + 1e-14);
+  }
+  CHECK_FALSE(pair.curves.crossing(around(0.25, 0.25, 0.01)));
+}
