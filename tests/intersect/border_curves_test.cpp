@@ -81,7 +81,7 @@ TEST_CASE("Border curves: what lies in the other patch, all of it or a part") {
 }
 
 TEST_CASE("Border curves: a border that is one point meets and holds nothing") {
-  const Pair cone({"u*v", "u*(1 - v)", "u"}, {"u", "v", "0"});
+  Pair cone({"u*v", "u*(1 - v)", "u"}, {"u", "v", "0"});
   CHECK(cone.curves.meetings(0, -1, 2, -1).empty());
   CHECK(cone.curves.contained(0, -1).empty());
 }
