@@ -254,9 +254,8 @@ class BorderSearch {
     const long sides = std::count_if(point.side.begin(), point.side.end(), [](int s) { return s != 0; });
     point.touching = true;
     // Even contact stays on one side of the border.
-    if (sides > 1 || contact.multiplicity > 2) {
-      undecided_.push_back(
-          {point, {problem.axis, problem.side, "the intersection touches the border in a corner or of high order"}});
+    if (contact.multiplicity > 2) {
+      undecided_.push_back({point, {problem.axis, problem.side, "the intersection touches the border of high order"}});
       return;
     }
     const std::optional<double> bend = bend_across(point, problem.axis);
@@ -265,6 +264,11 @@ class BorderSearch {
       return;
     }
     point.arcs = *bend * problem.side < 0 ? 2 : 0;
+    // Outside of this border it is outside of the others as well; inside, they would have to be asked.
+    if (sides > 1 && point.arcs > 0) {
+      undecided_.push_back({point, {problem.axis, problem.side, "the intersection touches the border in a corner"}});
+      return;
+    }
     add(point);
   }
 

@@ -15,8 +15,8 @@
 #include <eliminant/bridge/patch_border_points.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/rational_double.hpp>
-#include <eliminant/bridge/singular_end_tracing.hpp>
 #include <eliminant/bridge/surface_contact.hpp>
+#include <eliminant/bridge/zoomed_tracing.hpp>
 #include <eliminant/intersect/border_arc.hpp>
 #include <eliminant/intersect/border_curves.hpp>
 #include <eliminant/intersect/branch_components.hpp>
@@ -426,20 +426,19 @@ class PatchPair {
 
   bridge::TracedArc traced_arc(bridge::BranchTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
-    // Next to a curve of contact doubles tell both surfaces apart so far only.
-    constexpr double most = 4096;
-    if (!arc.contact && !arc.crossing) {
-      bridge::TracedArc traced = tracer.trace(from, graph_.points[arc.to], arc.box, tolerance_, context_);
-      for (double factor = 4; !graph_.crossings.empty() && !traced.proven && factor < most; factor *= 4)
-        traced = tracer.trace(from, graph_.points[arc.to], arc.box, factor * tolerance_, context_);
-      return traced;
-    }
+    const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
+    if (arc.contact) return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
       return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_);
     }
-    const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
-    return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);
+    const bridge::CrossingPoint& to = graph_.points[arc.to];
+    bridge::TracedArc traced = tracer.trace(from, to, arc.box, tolerance_, context_);
+    // Next to a curve of contact doubles tell both surfaces apart so far only.
+    constexpr double most = 4096;
+    for (double factor = 1; !traced.proven && factor < most; factor *= 4)
+      traced = bridge::trace_in_zoom(nets, from, to, arc.box, factor * tolerance_, context_);
+    return traced;
   }
 
   /// Newton's method has moved the end of a polyline off the border a little.

@@ -10,7 +10,7 @@
 #include <eliminant/bridge/injectivity.hpp>
 #include <eliminant/bridge/pinch_point.hpp>
 #include <eliminant/bridge/rational_double.hpp>
-#include <eliminant/bridge/singular_end_tracing.hpp>
+#include <eliminant/bridge/zoomed_tracing.hpp>
 #include <eliminant/intersect/branch_components.hpp>
 #include <eliminant/intersect/branch_joining.hpp>
 #include <eliminant/intersect/patch_pair.hpp>

@@ -6,7 +6,7 @@
 
 #include <support/branch_graphs.hpp>
 
-#include <eliminant/bridge/singular_end_tracing.hpp>
+#include <eliminant/bridge/zoomed_tracing.hpp>
 
 using namespace eliminant;
 using namespace eliminant::bridge;
@@ -58,7 +58,7 @@ void check_contact(const NetPair& nets, Distance distance) {
 
 }  // namespace
 
-TEST_CASE("Singular end tracing: to a crossing of a line and a parabola, to any tolerance") {
+TEST_CASE("Zoomed tracing: to a crossing of a line and a parabola, to any tolerance") {
   // The line u = 1/2 and the parabola v - 1/2 = -(u - 1/2)^2 cross at (1/2, 1/2).
   const auto distance = [](const Point& p) {
     const double x = p[0] - 0.5;
@@ -71,7 +71,7 @@ TEST_CASE("Singular end tracing: to a crossing of a line and a parabola, to any 
   });
 }
 
-TEST_CASE("Singular end tracing: to the pinch point of Whitney's umbrella, from both sides") {
+TEST_CASE("Zoomed tracing: to the pinch point of Whitney's umbrella, from both sides") {
   // (0, v) and (0, -v) are (0, 0, v^2).
   const ExactNet exact = patch_net({"u*v", "u", "v^2"}, square(1));
   const ControlNet net = in_doubles(exact);
@@ -92,4 +92,24 @@ TEST_CASE("Singular end tracing: to the pinch point of Whitney's umbrella, from 
       for (std::size_t k = 0; k < 4; ++k) CHECK(std::fabs(end.parameters[k] - 0.5) <= pinch->radius);
       CHECK(std::fabs(end.point[2]) <= 1e-15);
     }
+}
+
+TEST_CASE("Zoomed tracing: a small loop, nearly tangential everywhere, beyond what doubles reach without") {
+  // A circle of radius 2^-14 in the cap of a paraboloid.
+  const NetPair nets({"u", "v", "0"}, {"u", "v", "(u - 1/2)^2 + (v - 1/3)^2 - 1/268435456"});
+  const BranchGraph graph = branch_graph(nets);
+  REQUIRE(graph.open.empty());
+  REQUIRE(graph.arcs.size() >= 2);
+  const Context context;
+  for (const CellArc& arc : graph.arcs) {
+    constexpr double tolerance = 1e-12;
+    const TracedArc traced =
+        trace_in_zoom({nets.first, nets.second, nets.exact_first, nets.exact_second, nowhere}, graph.points[arc.from],
+                      graph.points[arc.to], arc.box, tolerance, context);
+    CHECK(traced.proven);
+    CHECK(traced.error <= tolerance);
+    CHECK(farthest(traced, [](const Point& p) {
+            return std::hypot(std::hypot(p[0] - 0.5, p[1] - 1.0 / 3) - 0x1p-14, p[2]);
+          }) <= traced.error + 1e-16);
+  }
 }

@@ -12,8 +12,13 @@
 
 namespace eliminant::bridge {
 
-/// Arcs into the singular points in which they end: by proven steps next to the point, where one chord is within the
-/// tolerance of what is known of the intersection there. The last steps are taken zoomed in (ZoomedPatches).
+/// Arcs for which doubles are too coarse unless they are zoomed in (ZoomedPatches): nearly tangential ones, and those
+/// into singular points, by proven steps next to the point, where one chord is within the tolerance of what is known of
+/// the intersection there.
+
+/// An arc in its cell, which is small.
+TracedArc trace_in_zoom(const PatchPairNets& nets, const CrossingPoint& from, const CrossingPoint& to,
+                        const CellBox& box, double tolerance, const Context& context);
 
 /// From a crossing point to a contact; `proven` is false where none of the chords is short enough.
 TracedArc trace_to_contact(const PatchPairNets& nets, const CrossingPoint& from, const CellContact& contact,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <eliminant/bridge/singular_end_tracing.hpp>
+#include <eliminant/bridge/zoomed_tracing.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -168,6 +168,33 @@ TracedArc pinch_arc(const PatchPairNets& nets, const std::array<double, 4>& from
 }
 
 }  // namespace
+
+TracedArc trace_in_zoom(const PatchPairNets& nets, const CrossingPoint& from, const CrossingPoint& to,
+                        const CellBox& box, double tolerance, const Context& context) {
+  std::array<symbolic::Rational, 4> centre;
+  double half = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    centre[k] = exactly(0.5 * (box.lower[k] + box.upper[k]));
+    half = std::max(half, 0.5 * (box.upper[k] - box.lower[k]));
+  }
+  // Steps near the ends of the arc reach a little beyond the box.
+  constexpr double room = 1.5;
+  const auto zoomed = ZoomedPatches::around(nets, centre, room * half);
+  if (!zoomed) return {};
+  const auto placed = [&](const CrossingPoint& point) {
+    CrossingPoint result = point;
+    result.parameters = zoomed->zoomed(point.parameters);
+    result.radius = point.radius / (2 * zoomed->half());
+    return result;
+  };
+  CellBox cell;
+  cell.lower = zoomed->zoomed(box.lower);
+  cell.upper = zoomed->zoomed(box.upper);
+  const PatchPairNets local = zoomed->nets();
+  TracedArc arc = BranchTracer(local.first, local.second).trace(placed(from), placed(to), cell, tolerance, context);
+  for (TracedPoint& point : arc.points) point = zoomed->original(point);
+  return arc;
+}
 
 TracedArc trace_to_contact(const PatchPairNets& nets, const CrossingPoint& from, const CellContact& contact,
                            double tolerance, const Context& context) {
