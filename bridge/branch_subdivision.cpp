@@ -234,7 +234,8 @@ class Subdivision {
     constexpr double small = 0.25;
     if (contacts_ == nullptr || !(widest < small)) return false;
     const CellBox box = box_of(cell);
-    const SurfaceContact* contact = contact_in(box, widest);
+    // Where four arcs meet it pays to look again and again.
+    const SurfaceContact* contact = contact_in(box, widest, cell.points.size() == 4);
     if (contact == nullptr) return false;
     const auto around = contacts_->neighbourhood(*contact, box);
     if (!around || cell.points.size() != (around->crossing ? 4U : 0U)) return false;
@@ -255,8 +256,8 @@ class Subdivision {
     return true;
   }
 
-  /// One that is known, or found now. Each failure makes the next attempt wait for smaller parts.
-  const SurfaceContact* contact_in(const CellBox& box, double widest) {
+  /// One that is known, or found now. Each failure makes the next attempt wait for smaller parts, unless it is likely.
+  const SurfaceContact* contact_in(const CellBox& box, double widest, bool likely) {
     const auto inside = [&](const SurfaceContact& contact) {
       for (std::size_t k = 0; k < 4; ++k)
         if (!(contact.rounded[k] > box.lower[k] && contact.rounded[k] < box.upper[k])) return false;
@@ -267,11 +268,11 @@ class Subdivision {
       return at == known_contacts_.end() ? nullptr : &*at;
     };
     if (const SurfaceContact* contact = known()) return contact;
-    if (!(widest < look_for_contact_)) return nullptr;
+    if (!likely && !(widest < look_for_contact_)) return nullptr;
     const auto found = contacts_->find(box);
     const auto same = [&](const SurfaceContact& contact) { return contact.parameters == found->parameters; };
     if (!found || std::any_of(known_contacts_.begin(), known_contacts_.end(), same)) {
-      look_for_contact_ *= 0.5;
+      if (!likely) look_for_contact_ *= 0.5;
       return nullptr;
     }
     known_contacts_.push_back(*found);
