@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <support/branch_graphs.hpp>
+#include <support/traced_arcs.hpp>
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/branch_tracing.hpp>
@@ -20,19 +21,6 @@ using Distance = std::function<double(const Point&)>;
 
 const PatchText ground{"u", "v", "0"};
 const CellBox everything{{0, 0, 0, 0}, {1, 1, 1, 1}};
-
-/// The largest distance of a polyline from a curve, at its points and between them.
-double farthest(const TracedArc& arc, const Distance& distance) {
-  double result = 0;
-  for (std::size_t i = 0; i + 1 < arc.points.size(); ++i)
-    for (int j = 0; j <= 4; ++j) {
-      Point at;
-      for (std::size_t k = 0; k < 3; ++k)
-        at[k] = std::lerp(arc.points[i].point[k], arc.points[i + 1].point[k], 0.25 * j);
-      result = std::max(result, distance(at));
-    }
-  return result;
-}
 
 /// Follows every arc of the intersection.
 std::vector<TracedArc> trace_all(const NetPair& nets, double tolerance) {

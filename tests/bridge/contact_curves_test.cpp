@@ -79,9 +79,8 @@ TEST_CASE("Contact curves: a branch that crosses is proven and followed to doubl
   CHECK(crossing->radius < 1e-7);
   const ContactCurve& curve = pair.curves.curves()[crossing->curve];
   const auto point = curve.branch_point(*crossing, 0, 0.002);
-  if (point) {
-    const auto& at = point->parameters;
-    CHECK(std::fabs(at[0] + at[1] - 1) <= 2 * point->error + 1e-14);
-  }
+  REQUIRE(point);
+  const auto& at = point->parameters;
+  CHECK(std::fabs(at[0] + at[1] - 1) <= 2 * point->error + 1e-14);
   CHECK_FALSE(pair.curves.crossing(around(0.25, 0.25, 0.01)));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <support/branch_graphs.hpp>
+#include <support/traced_arcs.hpp>
 
 #include <eliminant/bridge/zoomed_tracing.hpp>
 
@@ -17,20 +18,6 @@ namespace {
 using Point = std::array<double, 3>;
 
 const std::array<symbolic::Rational, 3> nowhere{};
-
-/// The largest distance of a polyline from a curve, at its points and between them.
-template <class Distance>
-double farthest(const TracedArc& arc, Distance distance) {
-  double result = 0;
-  for (std::size_t i = 0; i + 1 < arc.points.size(); ++i)
-    for (int j = 0; j <= 4; ++j) {
-      Point at;
-      for (std::size_t k = 0; k < 3; ++k)
-        at[k] = std::lerp(arc.points[i].point[k], arc.points[i + 1].point[k], 0.25 * j);
-      result = std::max(result, distance(at));
-    }
-  return result;
-}
 
 /// All arcs of the first contact.
 template <class Distance>
@@ -103,9 +90,8 @@ TEST_CASE("Zoomed tracing: a small loop, nearly tangential everywhere, beyond wh
   const Context context;
   for (const CellArc& arc : graph.arcs) {
     constexpr double tolerance = 1e-12;
-    const TracedArc traced =
-        trace_in_zoom({nets.first, nets.second, nets.exact_first, nets.exact_second, nowhere}, graph.points[arc.from],
-                      graph.points[arc.to], arc.box, tolerance, context);
+    const TracedArc traced = trace_in_zoom({nets.first, nets.second, nets.exact_first, nets.exact_second, nowhere},
+                                           graph.points[arc.from], graph.points[arc.to], arc.box, tolerance, context);
     CHECK(traced.proven);
     CHECK(traced.error <= tolerance);
     CHECK(farthest(traced, [](const Point& p) {
