@@ -78,7 +78,9 @@ TEST_CASE("Contact curves: a branch that crosses is proven and followed to doubl
   for (const double parameter : crossing->parameters) CHECK(std::fabs(parameter - 0.5) <= crossing->radius);
   CHECK(crossing->radius < 1e-7);
   const ContactCurve& curve = pair.curves.curves()[crossing->curve];
-  const auto point = curve.branch_point(*crossing, 0, 0.002);
+  // Beside the curve, on either side of which the branch may be.
+  auto point = curve.branch_point(*crossing, 0.002, 0.002);
+  if (!point) point = curve.branch_point(*crossing, -0.002, 0.002);
   REQUIRE(point);
   const auto& at = point->parameters;
   CHECK(std::fabs(at[0] + at[1] - 1) <= 2 * point->error + 1e-14);
