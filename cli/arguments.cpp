@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include <eliminant/cli/polynomial_arguments.hpp>
 #include <eliminant/version.hpp>
@@ -105,6 +107,22 @@ void take_tolerance(Arguments& arguments) {
   std::erase_if(arguments.settings, [](const io::OptionSetting& setting) { return setting.name == "tolerance"; });
 }
 
+// No output may be an input, by whatever name: it would be gone before it was read.
+void refuse_to_overwrite(const Arguments& arguments) {
+  const auto is_same = [](const std::optional<std::string>& input, const std::optional<std::string>& output) {
+    std::error_code none;
+    return input && output && *input != "-" && std::filesystem::equivalent(*input, *output, none);
+  };
+  const bool writes_certificate = arguments.command != Arguments::Command::verify;
+  const bool writes_state = arguments.command == Arguments::Command::batch && arguments.output;
+  const std::optional<std::string> certificate = writes_certificate ? arguments.certificate : std::nullopt;
+  const std::optional<std::string> state = writes_state ? std::optional(*arguments.output + ".state") : std::nullopt;
+  for (const std::optional<std::string>& input : {std::optional(arguments.file), arguments.candidates})
+    for (const std::optional<std::string>& output : {arguments.output, arguments.labels, certificate, state})
+      if (is_same(input, output))
+        throw UsageError("'" + *output + "' would be overwritten, and it is the input '" + *input + "'");
+}
+
 }  // namespace
 
 std::variant<Arguments, Information> parse_arguments(const std::vector<std::string>& words) {
@@ -170,6 +188,7 @@ std::variant<Arguments, Information> parse_arguments(const std::vector<std::stri
     throw UsageError("the answer and the certificate cannot go to the same file");
   if (arguments.labels && (arguments.labels == arguments.output || arguments.labels == arguments.certificate))
     throw UsageError("the answer, the certificate and the labels cannot go to the same file");
+  refuse_to_overwrite(arguments);
   if (verify->parsed() && arguments.file == "-" && (arguments.candidates == "-" || arguments.certificate == "-"))
     throw UsageError("verify cannot read both files from standard input");
   return arguments;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <variant>
 
 #include <eliminant/base/context.hpp>
@@ -105,6 +106,7 @@ class Run {
                            "a problem of the kind implicitize, or the command solve");
       if (labels_ && kind_ != "cylinder_extraction")
         throw InvalidInput("--labels does not go with " + *kind_, "a problem of the kind cylinder_extraction");
+      keep_cloud(file);
       return std::visit([&](const auto& problem) { return verifying ? verify(problem) : solve(problem); },
                         file.problem);
     } catch (const io::OutputError&) {
@@ -271,6 +273,16 @@ class Run {
              result.status == intersect::Status::infinite ? "infinitely many cylinders pass through the points" : "");
     give(printed(result, options_, id_));
     return exit_status(result.status);
+  }
+
+  /// The labels may not replace the scan.
+  void keep_cloud(const io::ProblemFile& file) const {
+    const auto* const problem = std::get_if<intersect::CylinderExtractionProblem>(&file.problem);
+    if (problem == nullptr || !arguments_.labels) return;
+    std::error_code none;
+    const std::filesystem::path folder = std::filesystem::path(arguments_.file).parent_path();
+    if (std::filesystem::equivalent(folder / problem->cloud, *arguments_.labels, none))
+      throw InvalidInput("--labels would overwrite the cloud", "the name of another file");
   }
 
   int solve(const intersect::CylinderExtractionProblem& problem) {

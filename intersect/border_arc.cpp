@@ -21,7 +21,10 @@ DrawnCurve drawn_border(const bridge::ControlNet& first, const bridge::ControlNe
   const auto bounds = own.bounds_on(0, 1, 0, 1);
   const Eigen::Array4d& bend = bounds->second[along % 2 == 0 ? 0 : 2];
   const double curvature = bend.head<3>().matrix().norm() * length * length;
-  const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(curvature / (8 * tolerance))), 1.0, 1e6));
+  // Enough to see whether both patches are tangent all along it.
+  constexpr double least_steps = 8;
+  const auto steps =
+      static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(curvature / (8 * tolerance))), least_steps, 1e6));
   DrawnCurve drawn;
   std::array<double, 2> start{0.5, 0.5};
   double evaluation = 0;

@@ -125,6 +125,25 @@ double distance_to(const SurfaceComponent& component, const Parameters& at, cons
   return result;
 }
 
+double distance_in_space(const SurfaceComponent& component, const std::array<double, 3>& at) {
+  double result = INFINITY;
+  for (std::size_t i = 0; i + 1 < component.points.size(); ++i) {
+    const std::array<double, 3>& a = component.points[i].point;
+    const std::array<double, 3>& b = component.points[i + 1].point;
+    double dot = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      dot += (at[k] - a[k]) * (b[k] - a[k]);
+      square += (b[k] - a[k]) * (b[k] - a[k]);
+    }
+    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
+    double distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) distance = std::hypot(distance, at[k] - a[k] - place * (b[k] - a[k]));
+    result = std::min(result, distance);
+  }
+  return result;
+}
+
 class Joining {
  public:
   Joining(SurfaceResult& result, const DomainBounds& bounds, bool symmetric)
@@ -136,7 +155,6 @@ class Joining {
         symmetric_(symmetric) {}
 
   void run() {
-    take_out_corner_points();
     take_out_repeated_seams();
     for (SurfaceComponent& component : result_.components)
       if (component.kind == SurfaceComponentKind::curve)
@@ -161,14 +179,43 @@ class Joining {
         follow(i);
       }
     result_.components = std::move(rest_);
+    take_out_repeated_points();
   }
 
  private:
-  void take_out_corner_points() {
-    std::erase_if(result_.components, [&](SurfaceComponent& component) {
-      return component.kind == SurfaceComponentKind::point &&
-             is_only_seam(component.start, component.points.front().parameters, bounds_);
-    });
+  /// Pieces that meet in a point find it several times, and some only the corner of what is a curve on another piece.
+  /// A point at which no curve passes is one of the intersection, also where surfaces only touch along a seam.
+  void take_out_repeated_points() {
+    std::vector<SurfaceComponent>& all = result_.components;
+    std::vector<bool> removed(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].kind != SurfaceComponentKind::point) continue;
+      const bool on_side = all[i].start.side != std::array<int, 4>{};
+      is_only_seam(all[i].start, all[i].points.front().parameters, bounds_);
+      for (std::size_t j = 0; j < all.size() && !removed[i]; ++j) {
+        if (removed[j] || j == i) continue;
+        removed[i] = all[j].kind == SurfaceComponentKind::point ? j < i && is_same_place(all[i], all[j])
+                                                                : is_on(all[j], all[i], on_side);
+      }
+      all[i].end = all[i].start;
+    }
+    std::size_t index = 0;
+    std::erase_if(all, [&](const SurfaceComponent&) { return removed[index++]; });
+  }
+
+  bool is_same_place(const SurfaceComponent& a, const SurfaceComponent& b) const {
+    return metric_.distance(a.points.front().parameters, b.points.front().parameters) < same_;
+  }
+
+  /// Whether a curve ends at a point, or passes it within its error, which is asked on the sides of pieces.
+  bool is_on(const SurfaceComponent& curve, const SurfaceComponent& point, bool on_side) const {
+    if (curve.kind == SurfaceComponentKind::overlap) return false;
+    const SurfacePoint& at = point.points.front();
+    for (const SurfacePoint* end : {&curve.points.front(), &curve.points.back()})
+      if (metric_.distance(end->parameters, at.parameters) < same_) return true;
+    constexpr double near = 1e-3;
+    if (!on_side || !(distance_to(curve, at.parameters, metric_) < near)) return false;
+    return distance_in_space(curve, at.point) <= 2 * (curve.error + point.error);
   }
 
   /// A curve along a seam is found on both sides of it: one is enough.

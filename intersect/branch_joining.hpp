@@ -16,9 +16,9 @@ inline constexpr const char* not_followed = "it could not be followed from one p
 
 /// Joins curves that were cut where pieces of a surface meet: an end that is on no border of the whole domain is
 /// continued by the one other end at the same parameters, which both enclose one simple zero. Sides of ends that are no
-/// borders are set to 0, points of contact that are only a corner of a piece are taken out, and an end without a
-/// continuation makes its curve uncertified. `symmetric`: both surfaces are one, and (u, v) and (s, t) may be
-/// exchanged.
+/// borders are set to 0, points that several pieces have found are listed once, and not where a curve passes, and an
+/// end without a continuation makes its curve uncertified. `symmetric`: both surfaces are one, and (u, v) and (s, t)
+/// may be exchanged.
 void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symmetric = false);
 
 /// Of a surface with itself, where every curve was found with (u, v) and (s, t) exchanged, too: keeps one of both, or

@@ -46,6 +46,26 @@ PointBox box_of(const std::vector<Point>& points) {
   return box;
 }
 
+// The box of all points but the farthest hundredth on each side, widened by its own size: a few points that are very
+// far away say nothing of the size of the scene.
+PointBox typical_box(const std::vector<Point>& points, const PointBox& whole) {
+  PointBox box = whole;
+  std::vector<double> values(points.size());
+  const std::size_t rank = points.size() / 100;
+  for (std::size_t k = 0; k < 3 && rank > 0; ++k) {
+    for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i][k];
+    const auto low = values.begin() + static_cast<std::ptrdiff_t>(rank);
+    const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(values.begin(), low, values.end());
+    std::nth_element(low, high, values.end());
+    const double width = *high - *low;
+    if (!(width > 0) || !std::isfinite(width)) continue;
+    box.lowest[k] = std::max(box.lowest[k], *low - width);
+    box.highest[k] = std::min(box.highest[k], *high + width);
+  }
+  return box;
+}
+
 void require_positive(double value, const char* name) {
   if (!(value > 0) || !std::isfinite(value))
     throw InvalidInput(std::string(name) + " is not positive", "a positive number in the unit of the points");
@@ -101,7 +121,7 @@ class Extraction {
     if (!(problem_.confidence > 0) || !(problem_.confidence < 1))
       throw InvalidInput("the confidence is not between 0 and 1", "a number between 0 and 1, such as 0.99");
     if (problem_.points.size() > most_points) throw LimitReached("the cloud has more than 2^31 points");
-    const PointBox box = box_of(problem_.points);
+    const PointBox box = typical_box(problem_.points, box_of(problem_.points));
     double diagonal = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       center_[k] = box.lowest[k] / 2 + box.highest[k] / 2;
@@ -122,10 +142,22 @@ class Extraction {
     settings_.confidence = problem_.confidence;
     settings_.seed = options_.seed;
     settings_.threads = options_.threads;
+    // What is far outside stays far outside.
+    constexpr double far = 16;
+    std::size_t moved = 0;
     for (Point point : problem_.points) {
-      for (std::size_t k = 0; k < 3; ++k) point[k] -= center_[k];
+      bool inside = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double place = point[k] - center_[k];
+        point[k] = std::clamp(place, -far * diagonal, far * diagonal);
+        inside = inside && point[k] == place;
+      }
+      if (!inside) ++moved;
       points_.push_back(point);
     }
+    if (moved > 0)
+      result_.warnings.push_back(std::to_string(moved) +
+                                 " points are very far from all others and count for no cylinder");
     result_.distance = criteria.distance;
     result_.min_radius = criteria.min_radius;
     result_.max_radius = criteria.max_radius;

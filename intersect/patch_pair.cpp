@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
 #include <eliminant/bridge/branch_tracing.hpp>
@@ -260,6 +262,12 @@ class PatchPair {
     component.start.side = sides_at(drawn.parameters.front());
     component.end.side = sides_at(drawn.parameters.back());
     component.start.side[border.axis] = component.end.side[border.axis] = border.side;
+    component.tangential = std::all_of(drawn.parameters.begin(), drawn.parameters.end(),
+                                       [&](const std::array<double, 4>& at) { return is_tangential(at); });
+    if (component.tangential) {
+      component.certified = false;
+      component.reason = "both surfaces touch along a border, and what else they have in common there is not proven";
+    }
     return component;
   }
 
@@ -281,13 +289,27 @@ class PatchPair {
     return component;
   }
 
+  /// Whether the tangent planes are equal, or differ by so little that doubles cannot tell.
+  bool is_tangential(const std::array<double, 4>& parameters) const {
+    const auto normal_at = [](const ControlNet& net, double u, double v) {
+      const bridge::PatchJets::Value value = bridge::PatchJets(net).at(u, v);
+      const Eigen::Vector3d p = value.first[0].head<3>().matrix();
+      const Eigen::Vector3d q = value.first[1].head<3>().matrix();
+      return Eigen::Vector3d(p.cross(q).normalized());
+    };
+    const Eigen::Vector3d a = normal_at(first_net_, parameters[0], parameters[1]);
+    const Eigen::Vector3d b = normal_at(second_net_, parameters[2], parameters[3]);
+    constexpr double least_angle = 1e-7;
+    return !(a.cross(b).norm() > least_angle);
+  }
+
   void add_touching_point(const bridge::BorderPoint& point) {
     SurfaceComponent component;
     component.kind = SurfaceComponentKind::point;
     component.points.push_back(placed(point.parameters));
     component.start.side = point.side;
     component.end = component.start;
-    component.tangential = point.touching;
+    component.tangential = point.touching && is_tangential(point.parameters);
     component.error = error_in_space(point) + rounding_of(component);
     component.certified = true;
     result_.components.push_back(std::move(component));

@@ -306,6 +306,24 @@ TEST_CASE("batch: two runs do not write one output") {
   }
 }
 
+TEST_CASE("batch: no input is overwritten, by whatever name") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("problems", quick_problem);
+  folder.write("results.state", quick_problem);
+  const auto refused = [&](const std::string& arguments) {
+    const Outcome outcome = run_program(folder, arguments);
+    CAPTURE(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.err, "would be overwritten"));
+    CHECK(folder.read("problems") == quick_problem);
+    CHECK(folder.read("results.state") == quick_problem);
+  };
+  refused("batch '" + path + "' -o '" + path + "'");
+  refused("batch '" + path + "' --resume -o '" + folder.file("./problems") + "'");
+  refused("batch '" + folder.file("results.state") + "' -o '" + folder.file("results") + "'");
+  refused("solve '" + path + "' -o '" + path + "'");
+}
+
 TEST_CASE("batch: an output that cannot be written, or not be continued, is said in a sentence") {
   const TemporaryFolder folder;
   const std::string path = folder.write("problems", quick_problem);

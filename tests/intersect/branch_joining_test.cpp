@@ -159,14 +159,25 @@ TEST_CASE("Joined branches: a curve along a seam, found from both sides, is one 
   CHECK(along.components[0].points.size() == 3);
 }
 
-TEST_CASE("Joined branches: points of contact that are only a corner of a piece are taken out") {
-  SurfaceComponent on_seam = piece({{1, 0.5, 0.5, 0.5}}, upper_u, upper_u);
-  SurfaceComponent on_border = piece({{0, 0.5, 0.5, 0.5}}, lower_u, lower_u);
-  SurfaceComponent inside = piece({{0.5, 0.5, 0.5, 0.5}}, {}, {});
-  for (SurfaceComponent* point : {&on_seam, &on_border, &inside}) point->kind = SurfaceComponentKind::point;
-  const SurfaceResult result = joined({on_seam, on_border, inside});
-  CHECK(result.counts.points == 2);
-  for (const SurfaceComponent& point : result.components) CHECK(point.points[0].parameters[0] < 1);
+TEST_CASE("Joined branches: a point found on several pieces is one, and none where a curve passes or ends") {
+  const auto point = [](const Parameters& at, const std::array<int, 4>& side) {
+    SurfaceComponent result = piece({at}, side, side);
+    result.kind = SurfaceComponentKind::point;
+    return result;
+  };
+  const SurfaceComponent on_seam = point({1, 0.25, 0.5, 0.25}, upper_u);
+  const SurfaceComponent other_side = point({1, 0.25, 0.5, 0.25}, lower_u);
+  const SurfaceComponent on_border = point({0, 0.25, 0.5, 0.5}, lower_u);
+  const SurfaceComponent inside = point({0.5, 0.25, 0.5, 0.5}, {});
+  CHECK(joined({on_seam, other_side, on_border, inside}).counts.points == 3);
+  // The curve passes the seam in one of these points, begins in another, and has one on its way.
+  const SurfaceComponent where_it_passes = point({1, 0.5, 0.5, 0.5}, {0, 1, 0, 0});
+  const SurfaceComponent where_it_begins = point({0, 0.5, 0.25, 0.5}, lower_u);
+  const SurfaceComponent on_its_way = point({0.25, 0.5, 0.25, 0.5}, {0, 1, 0, 0});
+  const SurfaceResult result = joined({left, where_it_passes, on_seam, where_it_begins, right, on_its_way});
+  CHECK(result.counts.curves == 1);
+  CHECK(result.counts.points == 1);
+  CHECK(result.status == Status::certified);
 }
 
 TEST_CASE("Mirror images: of two one is kept, a curve that is its own image is marked") {

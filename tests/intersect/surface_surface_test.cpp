@@ -83,6 +83,28 @@ TEST_CASE("Surfaces of several pieces: a line along the seam is one curve, and o
   CHECK(summary(solved(half_cylinder(), bounded({"u", "-1/100", "v"}))) == "0 0 0 0 0 certified");
 }
 
+TEST_CASE("Surfaces of several pieces: a common point where all of them only touch") {
+  // |u| + |v| and |u| + v^2 of four and two pieces, in one point of the plane z = 0.
+  const auto half = [](long sign) { return symbolic::Interval{sign < 0 ? -1 : 0, sign < 0 ? 0 : 1}; };
+  ParametricSurface pyramid;
+  ParametricSurface ridge;
+  for (const long p : {-1, 1}) {
+    const std::string u = p < 0 ? "-u" : "u";
+    ridge.pieces.push_back(patch({"u", "v", u + " + v^2"}, {half(p), symbolic::Interval{-1, 1}}));
+    for (const long q : {-1, 1})
+      pyramid.pieces.push_back(patch({"u", "v", u + (q < 0 ? " - v" : " + v")}, {half(p), half(q)}));
+  }
+  const ParametricSurface ground = bounded({"u", "v", "0"});
+  CHECK(summary(solved(pyramid, ground)) == "0 0 1 0 0 certified");
+  CHECK(summary(solved(ridge, ground)) == "0 0 1 0 0 certified");
+  CHECK(summary(solved(ground, ridge)) == "0 0 1 0 0 certified");
+  // Along a seam both touch the plane: said, and not proven.
+  const SurfaceResult touching = solved(bounded({"u", "v", "u^2"}, {half(1), symbolic::Interval{-1, 1}}), ground);
+  CHECK(touching.status == Status::numeric);
+  REQUIRE(touching.components.size() == 1);
+  CHECK(touching.components[0].tangential);
+}
+
 TEST_CASE("A bounded surface against an unbounded one: a loop inside of a chart") {
   // At infinity the paraboloid has no points to compare: that is said, and nothing is certified of the whole.
   const SurfaceResult result = solved(bounded({"u", "v", "1/2"}, square(3)), unbounded({"u", "v", "u^2 + v^2"}));
