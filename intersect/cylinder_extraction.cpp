@@ -156,8 +156,8 @@ class Extraction {
       points_.push_back(point);
     }
     if (moved > 0)
-      result_.warnings.push_back(std::to_string(moved) +
-                                 " points are very far from all others and count for no cylinder");
+      result_.warnings.push_back(std::to_string(moved) + (moved == 1 ? " point is" : " points are") +
+                                 " very far from all others, of no cylinder");
     result_.distance = criteria.distance;
     result_.min_radius = criteria.min_radius;
     result_.max_radius = criteria.max_radius;
