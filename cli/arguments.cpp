@@ -111,7 +111,8 @@ void take_tolerance(Arguments& arguments) {
 void refuse_to_overwrite(const Arguments& arguments) {
   const auto is_same = [](const std::optional<std::string>& input, const std::optional<std::string>& output) {
     std::error_code none;
-    return input && output && *input != "-" && std::filesystem::equivalent(*input, *output, none);
+    return input && output && std::filesystem::is_regular_file(*output, none) &&
+           std::filesystem::equivalent(*input == "-" ? "/dev/stdin" : *input, *output, none);
   };
   const bool writes_certificate = arguments.command != Arguments::Command::verify;
   const bool writes_state = arguments.command == Arguments::Command::batch && arguments.output;

@@ -115,7 +115,7 @@ class Extraction {
     stage_ = Clock::now();
   }
 
-  // Checks the problem, chooses what it leaves open and moves the points around the origin.
+  // Checks the problem, chooses what it leaves open, moves the points around the origin and takes them in the unit.
   void prepare() {
     require_positive(problem_.distance, "the distance");
     if (!(problem_.confidence > 0) || !(problem_.confidence < 1))
@@ -128,6 +128,10 @@ class Extraction {
       diagonal = std::hypot(diagonal, box.highest[k] - box.lowest[k]);
     }
     if (!std::isfinite(diagonal)) throw InvalidInput("the cloud is too large for doubles", "coordinates below 1e300");
+    unit_ = std::ldexp(1.0, std::ilogb(problem_.distance));
+    constexpr double finest = 0x1p52;
+    if (!(diagonal / unit_ < finest))
+      throw InvalidInput("the distance is smaller than doubles tell points of this cloud apart", "a larger distance");
     numeric::CylinderCriteria& criteria = settings_.criteria;
     criteria.distance = problem_.distance;
     criteria.min_radius = problem_.min_radius.value_or(least_radius_in_distances * problem_.distance);
@@ -149,8 +153,9 @@ class Extraction {
       bool inside = true;
       for (std::size_t k = 0; k < 3; ++k) {
         const double place = point[k] - center_[k];
-        point[k] = std::clamp(place, -far * diagonal, far * diagonal);
-        inside = inside && point[k] == place;
+        const double kept = std::clamp(place, -far * diagonal, far * diagonal);
+        inside = inside && kept == place;
+        point[k] = kept / unit_;
       }
       if (!inside) ++moved;
       points_.push_back(point);
@@ -162,6 +167,7 @@ class Extraction {
     result_.min_radius = criteria.min_radius;
     result_.max_radius = criteria.max_radius;
     result_.min_inliers = criteria.min_inliers;
+    for (double* const length : {&criteria.distance, &criteria.min_radius, &criteria.max_radius}) *length /= unit_;
   }
 
   // What was found in two pieces becomes one: the same cylinder, with a gap no longer than its radius.
@@ -192,7 +198,7 @@ class Extraction {
 
   // Each point goes to the nearest cylinder that it lies on.
   void label_points() {
-    std::vector<double> nearest(points_.size(), problem_.distance);
+    std::vector<double> nearest(points_.size(), settings_.criteria.distance);
     result_.labels.assign(points_.size(), -1);
     for (std::size_t n = 0; n < segments_.size(); ++n) {
       const CylinderSegment& segment = segments_[n];
@@ -269,13 +275,14 @@ class Extraction {
   }
 
   ExtractedCylinder in_place(const CylinderSegment& segment) const {
-    ExtractedCylinder cylinder{segment.cylinder.direction, {},         segment.cylinder.radius, segment.length(),
-                               segment.inliers.size(),     segment.rms};
+    ExtractedCylinder cylinder{segment.cylinder.direction,      {},
+                               segment.cylinder.radius * unit_, segment.length() * unit_,
+                               segment.inliers.size(),          segment.rms * unit_};
     const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
     if (*std::max_element(cylinder.direction.begin(), cylinder.direction.end(), larger) < 0)
       for (double& component : cylinder.direction) component = -component;
     cylinder.axis_point = CylinderFrame(segment.cylinder).axis_at((segment.lowest + segment.highest) / 2);
-    for (std::size_t k = 0; k < 3; ++k) cylinder.axis_point[k] += center_[k];
+    for (std::size_t k = 0; k < 3; ++k) cylinder.axis_point[k] = cylinder.axis_point[k] * unit_ + center_[k];
     return cylinder;
   }
 
@@ -284,6 +291,8 @@ class Extraction {
   Clock::time_point start_ = Clock::now();
   Clock::time_point stage_ = start_;
   Point center_{};
+  // The search takes lengths in this unit, a power of two near the distance, so that no scale is special.
+  double unit_ = 1;
   std::vector<Point> points_;
   CylinderSearchSettings settings_;
   std::vector<CylinderSegment> segments_;

@@ -322,6 +322,7 @@ TEST_CASE("batch: no input is overwritten, by whatever name") {
   refused("batch '" + path + "' --resume -o '" + folder.file("./problems") + "'");
   refused("batch '" + folder.file("results.state") + "' -o '" + folder.file("results") + "'");
   refused("solve '" + path + "' -o '" + path + "'");
+  refused("batch - -o '" + path + "' <'" + path + "'");
 }
 
 TEST_CASE("batch: an output that cannot be written, or not be continued, is said in a sentence") {

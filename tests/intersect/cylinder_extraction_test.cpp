@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <eliminant/base/error.hpp>
 #include <eliminant/intersect/cylinder_extraction.hpp>
 #include <eliminant/numeric/splitmix64.hpp>
 #include <limits>
@@ -158,6 +159,37 @@ TEST_CASE("extract_cylinders: a cloud far from the origin, and half a pipe") {
   CHECK(pipe.inliers <= 2000);
   // The noise is uniform up to 0.01.
   CHECK(pipe.residual == doctest::Approx(0.01 / std::sqrt(3)).epsilon(0.05));
+}
+
+TEST_CASE("extract_cylinders: no scale is special, and points without return do no harm") {
+  const PipeScene scene = pipe_scene(small_scene(1, 41));
+  const CylinderExtractionResult plain = extract(scene);
+  REQUIRE(plain.cylinders.size() == 1);
+  for (const int exponent : {-300, -70, 70, 300}) {
+    PipeScene scaled = scene;
+    scaled.distance = std::ldexp(scene.distance, exponent);
+    for (auto& point : scaled.points)
+      for (double& x : point) x = std::ldexp(x, exponent);
+    const CylinderExtractionResult result = extract(scaled);
+    CAPTURE(exponent);
+    CHECK(result.labels == plain.labels);
+    REQUIRE(result.cylinders.size() == 1);
+    CHECK(result.cylinders[0].radius == std::ldexp(plain.cylinders[0].radius, exponent));
+    CHECK(result.cylinders[0].direction == plain.cylinders[0].direction);
+  }
+  for (const double far : {1e15, 1e30, 1e300}) {
+    PipeScene marked = scene;
+    marked.points.push_back({far, 0, 0});
+    marked.points.push_back({-far, far, 3});
+    const CylinderExtractionResult result = extract(marked);
+    CAPTURE(far);
+    CHECK(score_of(scene, result).recall() == 1);
+    CHECK(result.warnings.size() == 1);
+    CHECK(result.labels.back() == -1);
+  }
+  PipeScene fine = scene;
+  fine.distance = 1e-30;
+  CHECK_THROWS_AS(extract(fine), InvalidInput);
 }
 
 TEST_CASE("extract_cylinders: radii outside the range, and too few points, are not reported") {
