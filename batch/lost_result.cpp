@@ -51,8 +51,11 @@ std::string too_long_result(const Task& task) {
       task, {"limit", 3, "the line is longer than " + longest + " MiB, which is the limit", {}, {task.line, 0}}, false);
 }
 
-std::string lost_result(const Task& task, const Death& death) {
+std::string lost_result(const Task& task, const Death& death, bool memory_limited) {
   if (death.signal == SIGALRM) return result_of(task, {"limit", 3, "the time limit was reached", {}, {}}, true);
+  // The C++ runtime aborts where memory fails while an exception is on its way.
+  if (death.signal == SIGABRT && memory_limited)
+    return result_of(task, {"limit", 3, "the memory is exhausted", {}, {task.line, 0}}, true);
   return result_of(
       task, {"crash", 1, "the process that solved this problem was ended " + in_words(death), {}, {task.line, 0}},
       false);

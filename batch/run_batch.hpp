@@ -49,9 +49,10 @@ class BatchReport {
 /// The result of a line that is no problem as it is longer than LineReader::longest_line.
 std::string too_long_result(const Task& task);
 
-/// The result of a problem whose worker ended: status incomplete after SIGALRM, which is the time limit, else an error
-/// of the kind crash. `problem` and `id` are repeated where the text says them.
-std::string lost_result(const Task& task, const Death& death);
+/// The result of a problem whose worker ended: status incomplete after SIGALRM, which is the time limit, and after
+/// SIGABRT where memory was limited, else an error of the kind crash. `problem` and `id` are repeated where the text
+/// says them.
+std::string lost_result(const Task& task, const Death& death, bool memory_limited = false);
 
 /// Solves every line with worker processes of this one. Returns the exit status. Throws InvalidInput and
 /// io::OutputError. To be called while no other thread runs.

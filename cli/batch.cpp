@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -55,7 +56,13 @@ batch::Solver batch_solver(const Arguments& arguments) {
     LineResult result = result_line({task.line, task.text}, arguments);
     return batch::Solved{std::move(result.json), result.memory_exhausted};
   };
-  return {solve, batch::lost_result};
+  const bool memory_limited =
+      std::any_of(arguments.settings.begin(), arguments.settings.end(),
+                  [](const io::OptionSetting& option) { return option.name == "memory-limit"; });
+  const auto lost = [memory_limited](const batch::Task& task, const batch::Death& death) {
+    return batch::lost_result(task, death, memory_limited);
+  };
+  return {solve, lost};
 }
 
 int solve_batch(const Arguments& arguments) {

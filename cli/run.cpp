@@ -357,7 +357,7 @@ class Run {
       report.place.line = line_->number;
     }
     say(io::error_line(report, source_));
-    const bool incomplete = solving_ && report.exit_status == 3;
+    const bool incomplete = (solving_ || memory_exhausted_) && report.exit_status == 3;
     if (options_.format == io::Format::json)
       give(io::error_json(report, kind_, id_, incomplete));
     else if (incomplete && options_.format == io::Format::text)

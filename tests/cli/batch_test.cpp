@@ -197,6 +197,20 @@ TEST_CASE("batch: limits hold within calls that do not look at the clock, for on
     CHECK(error_field(lines[1], "message") == "the memory is exhausted");
     CHECK(field(lines[2], "status") == "certified");
   }
+  SUBCASE("of so little memory that nothing can be done") {
+    for (const char* limit : {"1", "2", "3"})
+      for (const char* workers : {"1", "2"}) {
+        const Outcome outcome =
+            run_program(folder, "batch '" + path + "' --memory-limit " + limit + " --threads " + workers);
+        CAPTURE(limit);
+        CAPTURE(workers);
+        CHECK(outcome.status == 3);
+        const auto lines = lines_of(outcome.out);
+        REQUIRE(lines.size() == 3);
+        CHECK(field(lines[1], "status") == "incomplete");
+        CHECK(error_field(lines[1], "kind") == "limit");
+      }
+  }
 }
 
 TEST_CASE("batch: killed at any moment and resumed it ends with the same file") {
