@@ -26,9 +26,9 @@ void write(const std::string& path, const std::string& content) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-std::string truth_of(const support::PipeScene& scene) {
+std::string truth_of(const test::PipeScene& scene) {
   std::string out = "direction_x,direction_y,direction_z,x,y,z,radius,length\n";
-  for (const support::ScenePipe& pipe : scene.pipes) {
+  for (const test::ScenePipe& pipe : scene.pipes) {
     for (const double number : pipe.direction) out += std::to_string(number) + ",";
     for (const double number : pipe.middle) out += std::to_string(number) + ",";
     out += std::to_string(pipe.radius) + "," + std::to_string(pipe.length) + "\n";
@@ -40,14 +40,14 @@ std::string truth_of(const support::PipeScene& scene) {
 
 int main(int argc, char** argv) {
   try {
-    std::vector<support::SceneRecipe> recipes = support::acceptance_scenes();
-    recipes.push_back(support::speed_scene());
+    std::vector<test::SceneRecipe> recipes = test::acceptance_scenes();
+    recipes.push_back(test::speed_scene());
     const long number = argc == 5 ? std::strtol(argv[1], nullptr, 10) : 0;
     if (number < 1 || number > static_cast<long>(recipes.size())) {
       std::fprintf(stderr, "usage: pipe_scene NUMBER CLOUD.ply TRUTH.csv PROBLEM.json, NUMBER from 1 to 21\n");
       return 2;
     }
-    const support::PipeScene scene = support::pipe_scene(recipes[static_cast<std::size_t>(number - 1)]);
+    const test::PipeScene scene = test::pipe_scene(recipes[static_cast<std::size_t>(number - 1)]);
     const std::vector<std::int32_t> labels(scene.labels.begin(), scene.labels.end());
     write(argv[2], io::labelled_ply(scene.points, labels));
     write(argv[3], truth_of(scene));

@@ -312,7 +312,7 @@ SegmentVerdict judge_segment(std::span<const Point> points, const CylinderSegmen
   const double radius = segment.cylinder.radius;
   if (segment.inliers.size() < criteria.min_inliers) return SegmentVerdict::few_points;
   if (radius < criteria.min_radius || radius > criteria.max_radius) return SegmentVerdict::radius;
-  if (segment.length() < least_length * radius) return SegmentVerdict::stub;
+  if (segment.length() < least_length * radius) return SegmentVerdict::too_short;
   if (!is_covered(points, segment)) return SegmentVerdict::narrow;
   if (!is_straight(points, segment)) return SegmentVerdict::curved;
   if (!ends_at_its_sides(points, segment)) return SegmentVerdict::beside;

@@ -30,7 +30,7 @@ enum class SegmentVerdict {
   cylinder,
   few_points,  ///< fewer than asked for
   narrow,      ///< seen over less than a quarter of its circumference
-  stub,        ///< shorter than 1.5 radii
+  too_short,   ///< shorter than 1.5 radii
   curved,      ///< more points are on a surface whose axis bends or whose radius changes: torus, sphere, cone
   beside,      ///< the surface goes on beside the cylinder: plane
   radius,      ///< outside the range asked for

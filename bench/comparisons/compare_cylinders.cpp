@@ -21,7 +21,7 @@
 
 namespace eliminant::comparisons {
 
-CylinderAnswer eliminant_cylinders(const support::PipeScene& scene, unsigned threads, double limit_seconds) {
+CylinderAnswer eliminant_cylinders(const test::PipeScene& scene, unsigned threads, double limit_seconds) {
   const std::clock_t start = std::clock();
   intersect::CylinderExtractionProblem problem;
   problem.points = scene.points;
@@ -45,7 +45,7 @@ namespace {
 
 using namespace eliminant;
 
-std::string decoys(const support::SceneRecipe& recipe) {
+std::string decoys(const test::SceneRecipe& recipe) {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (recipe.near_parallel > 0) add(fmt::format("{} pairs near-parallel", recipe.near_parallel));
@@ -55,7 +55,7 @@ std::string decoys(const support::SceneRecipe& recipe) {
   return text.empty() ? "-" : text;
 }
 
-std::string cells(const support::SceneScore& score, const comparisons::CylinderAnswer& answer) {
+std::string cells(const test::SceneScore& score, const comparisons::CylinderAnswer& answer) {
   return fmt::format("{} / {} | {}{:.1f}", score.right, score.found, answer.stopped ? "> " : "", answer.seconds);
 }
 
@@ -72,19 +72,19 @@ int main(int argc, char** argv) {
   app.add_option("--limit", limit, "seconds for each search");
   app.add_option("--threads", threads, "of eliminant; PCL's search has one");
   CLI11_PARSE(app, argc, argv);
-  std::vector<support::SceneRecipe> recipes = support::acceptance_scenes();
-  recipes.push_back(support::speed_scene());
+  std::vector<test::SceneRecipe> recipes = test::acceptance_scenes();
+  recipes.push_back(test::speed_scene());
   fmt::print("| scene | points | outliers | besides | eliminant: right / found | s | PCL: right / found | s |\n");
   fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
   std::fflush(stdout);
   for (std::size_t i = first - 1; i < std::min(last, recipes.size()); ++i) {
-    const support::SceneRecipe& recipe = recipes[i];
-    const support::PipeScene scene = support::pipe_scene(recipe);
+    const test::SceneRecipe& recipe = recipes[i];
+    const test::PipeScene scene = test::pipe_scene(recipe);
     const auto own = comparisons::eliminant_cylinders(scene, threads, limit);
     const auto other = comparisons::pcl_cylinders(scene, limit);
     fmt::print("| {} pipes | {} | {:.0f} % | {} | {} | {} |\n", recipe.pipes, recipe.points, 100 * recipe.outliers,
-               decoys(recipe), cells(support::score(scene, own.cylinders), own),
-               cells(support::score(scene, other.cylinders, false), other));
+               decoys(recipe), cells(test::score(scene, own.cylinders), own),
+               cells(test::score(scene, other.cylinders, false), other));
     std::fflush(stdout);
   }
   return 0;

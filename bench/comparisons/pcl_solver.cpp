@@ -32,7 +32,7 @@ Normals::Ptr normals_of(const Cloud::Ptr& cloud) {
 
 }  // namespace
 
-CylinderAnswer pcl_cylinders(const support::PipeScene& scene, double limit_seconds) {
+CylinderAnswer pcl_cylinders(const test::PipeScene& scene, double limit_seconds) {
   const std::clock_t start = std::clock();
   const auto elapsed = [&] { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; };
   auto cloud = std::make_shared<Cloud>();

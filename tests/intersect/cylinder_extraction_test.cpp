@@ -13,7 +13,7 @@
 
 using namespace eliminant;
 using namespace eliminant::intersect;
-using namespace eliminant::support;
+using namespace eliminant::test;
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include <eliminant/numeric/splitmix64.hpp>
 
-namespace eliminant::support {
+namespace eliminant::test {
 
 namespace {
 
@@ -277,4 +277,4 @@ SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found, bo
   return result;
 }
 
-}  // namespace eliminant::support
+}  // namespace eliminant::test

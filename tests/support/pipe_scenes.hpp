@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace eliminant::support {
+namespace eliminant::test {
 
 /// A pipe as it was built.
 struct ScenePipe {
@@ -74,4 +74,4 @@ struct SceneScore {
 
 SceneScore score(const PipeScene& scene, const std::vector<ScenePipe>& found, bool ends = true);
 
-}  // namespace eliminant::support
+}  // namespace eliminant::test
