@@ -50,28 +50,36 @@ PatchJets::PatchJets(const ControlNet& net) : net_(net), scratch_(net.points.siz
   error_ = std::exp(0.04 * degrees) * (net.error + 4 * degrees * unit_roundoff * size);
 }
 
-PatchJets::Value PatchJets::at(double a, double b) {
+template <std::size_t Order>
+PatchJets::Value PatchJets::jet(double a, double b) {
   std::copy(net_.points.begin(), net_.points.end(), scratch_.begin());
   const std::size_t row = shape_.degree[1] + 1;
-  rows_.resize(3 * (shape_.degree[0] + 1));
-  for (std::size_t i = 0; i <= shape_.degree[0]; ++i) {
+  const std::size_t column = shape_.degree[0] + 1;
+  rows_.resize(3 * column);
+  for (std::size_t i = 0; i < column; ++i) {
     const std::array<Array4d, 3> jet = jet_of_line(scratch_.data() + i * row, shape_.degree[1], b);
-    for (std::size_t k = 0; k < 3; ++k) rows_[k * (shape_.degree[0] + 1) + i] = jet[k];
+    for (std::size_t k = 0; k <= Order; ++k) rows_[k * column + i] = jet[k];
   }
-  const auto line = [&](std::size_t k) {
-    return jet_of_line(rows_.data() + k * (shape_.degree[0] + 1), shape_.degree[0], a);
-  };
+  const auto line = [&](std::size_t k) { return jet_of_line(rows_.data() + k * column, shape_.degree[0], a); };
   const std::array<Array4d, 3> plain = line(0);
   const std::array<Array4d, 3> slope = line(1);
   Value value;
   value.point = plain[0];
   value.first = {plain[1], slope[0]};
-  value.second = {plain[2], slope[1], line(2)[0]};
+  if constexpr (Order == 2)
+    value.second = {plain[2], slope[1], line(2)[0]};
+  else
+    value.second.fill(Array4d::Zero());
   Array4d error = error_;
   if (!net_.polynomial) error = divide_by_weight(value);
+  if constexpr (Order < 2) value.second.fill(Array4d::Zero());
   value.error = error.head<3>().maxCoeff();
   return value;
 }
+
+PatchJets::Value PatchJets::at(double a, double b) { return jet<2>(a, b); }
+
+PatchJets::Value PatchJets::slopes_at(double a, double b) { return jet<1>(a, b); }
 
 std::optional<DerivativeBounds> PatchJets::bounds_on(double a0, double a1, double b0, double b1) const {
   std::vector<Array4d> points = net_.points;

@@ -43,11 +43,15 @@ class PatchJets {
   };
   /// At parameters within a fiftieth of the domain; the derivatives are rounded as the value is.
   Value at(double a, double b);
+  /// The second derivatives are left 0.
+  Value slopes_at(double a, double b);
 
   /// On a box of parameters, which may reach a little beyond the domain; nullopt where a weight may not be positive.
   std::optional<DerivativeBounds> bounds_on(double a0, double a1, double b0, double b1) const;
 
  private:
+  template <std::size_t Order>
+  Value jet(double a, double b);
   Array4d divide_by_weight(Value& value) const;
   std::array<std::array<Array4d, 4>, 4> largest_derivatives(std::vector<Array4d> points, double width_a,
                                                             double width_b) const;
