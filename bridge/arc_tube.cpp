@@ -116,6 +116,10 @@ void ArcTube::bound_deviation() {
   constexpr double at_most = 0.55;
   if (!(contraction < at_most)) return;
   contraction_ = contraction;
+  distance_factor_ = solve.cwiseAbs().rowwise().sum().maxCoeff() / (1 - contraction);
+  const Vector3d slopes_within =
+      here_.jacobian.topLeftCorner<3, 2>().cwiseAbs() * unit_.head<2>() + change_.plain.leftCols<2>().rowwise().sum();
+  error_factor_ = 1.001 * std::sqrt(3.0) * (slopes_within.maxCoeff() * distance_factor_ + 1);
   const double distance = largest_offset / (1 - contraction);
 
   // In space: the bend of the arc, of which only the part across the chord counts, and what is left.
@@ -231,18 +235,6 @@ std::optional<double> ArcTube::bend_across() const {
   return slack * (across + 1.1 * turn * std::fabs(onward) + curving_change.norm());
 }
 
-/// Bounds the distance, in units, of a point from that of the arc in its plane, by the value of F there.
-double ArcTube::distance_of(double value) const {
-  return inverse_.leftCols<3>().cwiseAbs().rowwise().sum().maxCoeff() * value / (1 - contraction_);
-}
-
-/// The same in space.
-double ArcTube::error_in_space(double value) const {
-  const auto slopes =
-      here_.jacobian.topLeftCorner<3, 2>().cwiseAbs() * unit_.head<2>() + change_.plain.leftCols<2>().rowwise().sum();
-  return std::sqrt(3.0) * 1.001 * (slopes.maxCoeff() * distance_of(value) + value);
-}
-
 std::optional<ArcTube::Placed> ArcTube::place(PatchDifference& patches, const Vector4d& guess) const {
   Vector4d x = guess;
   constexpr int most_steps = 4;
@@ -265,10 +257,10 @@ std::optional<ArcTube::Placed> ArcTube::place(PatchDifference& patches, const Ve
       rest += left.lpNorm<Eigen::Infinity>() + 64 * unit_roundoff * at.value.abs().head<3>().maxCoeff();
     }
     rest += at.error;
-    const Vector4d near = distance_of(rest) * unit_;
+    const Vector4d near = (distance_factor_ * rest) * unit_;
     if (((at.x - near).array() < lower_.array()).any() || ((at.x + near).array() > upper_.array()).any())
       return std::nullopt;
-    return Placed{at, error_in_space(rest)};
+    return Placed{at, error_factor_ * rest};
   }
   return std::nullopt;
 }
@@ -294,7 +286,7 @@ std::optional<ArcTube::Filling> ArcTube::fill(PatchDifference& patches, double t
   const QuinticArc arc(end(here_, Vector4d::Zero()), end(next_, step_));
   Filling filling;
   filling.points.reserve(count);
-  double error = error_in_space(std::max(here_.at_most(), next_.at_most()));
+  double error = error_factor_ * std::max(here_.at_most(), next_.at_most());
   for (std::size_t i = 1; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count);
     const std::optional<Placed> placed = place(patches, here_.x + arc.at(share).cwiseProduct(unit_));

@@ -60,8 +60,6 @@ class ArcTube {
   void bound_deviation();
   Eigen::Vector3d change_of_bend(const Eigen::Vector4d& along, const Eigen::Vector4d& error, std::size_t patch) const;
   std::optional<double> bend_across() const;
-  double distance_of(double value) const;
-  double error_in_space(double value) const;
   /// A point of the arc, by Newton steps in its plane, and how far it may be from the exact one.
   struct Placed {
     Difference at;
@@ -87,6 +85,9 @@ class ArcTube {
   JacobianChange change_;
   double contraction_ = infinity;
   double deviation_ = infinity;
+  /// Times the value of F at a point: bounds its distance from the arc in its plane, in units and in space.
+  double distance_factor_ = infinity;
+  double error_factor_ = infinity;
 };
 
 }  // namespace eliminant::bridge

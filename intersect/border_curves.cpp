@@ -2,6 +2,7 @@
 #include <eliminant/intersect/border_curves.hpp>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/bridge/meetings_by_substitution.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
 #include <eliminant/intersect/curve_surface.hpp>
 #include <eliminant/intersect/net_patches.hpp>
@@ -46,6 +47,7 @@ std::vector<std::array<double, 2>> BorderCurves::intersect(const PairOfBorders& 
   try {
     const symbolic::ParametricCurve a{{border_of(first_, first_axis, first_side)}};
     const symbolic::ParametricCurve b{{border_of(second_, second_axis - 2, second_side)}};
+    if (auto meetings = bridge::meetings_by_substitution(a.pieces[0].map, b.pieces[0].map, context_)) return *meetings;
     found = intersect_curve_curve({a, b}, Options(), context_);
   } catch (const InvalidInput&) {
     // A border that is one point.
