@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <eliminant/bridge/cell_box.hpp>
-#include <eliminant/bridge/contact_series.hpp>
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/bridge/height_series.hpp>
 #include <eliminant/bridge/interval_polynomial.hpp>
 #include <eliminant/symbolic/elimination/contact_identity.hpp>
 
@@ -110,10 +110,11 @@ class ContactCurve {
   };
 
   std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
-  Forms forms_on(const Region& region) const;
+  /// From the fourth derivatives in `heights`, and lower ones at the origin.
+  Forms forms_on(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
   /// The second derivative of h along a region that hardly has a length.
-  DoubleInterval bend_on_cut(const Region& region) const;
-  /// Of a derivative of h computed by derivative_near in a direction of length about 1.
+  DoubleInterval bend_on_cut(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
+  /// Of a derivative of h at a point, computed in doubles, in a direction of length about 1.
   double rounding_of_derivative(std::size_t order) const;
 
   CellBox in_base_order(const CellBox& box) const;
@@ -122,9 +123,8 @@ class ContactCurve {
   std::optional<Region> region(const CellBox& box, const std::array<double, 2>& origin,
                                const std::array<double, 2>& across, const std::array<double, 2>& along,
                                std::size_t order) const;
-  /// The derivative of h at a point of the curve, approximately.
-  double derivative_near(const std::array<double, 2>& at, const std::array<double, 2>& direction,
-                         std::size_t order) const;
+  /// h at a point of the curve by the parameters of the base, approximately.
+  std::optional<PlaneSeries<double>> heights_near(const std::array<double, 2>& at, std::size_t order) const;
   std::optional<std::array<double, 2>> crossing_near(const std::array<double, 2>& start, double reach) const;
 
   const ControlNet& base_;

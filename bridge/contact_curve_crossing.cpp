@@ -19,20 +19,25 @@ std::optional<ContactCurve::Tables> ContactCurve::tables_near(const Place& at, s
   if (!frame) return std::nullopt;
   const Place there{numerator_[0].near(at[0], at[1]) / denominator_[0].near(at[0], at[1]),
                     numerator_[1].near(at[0], at[1]) / denominator_[1].near(at[0], at[1])};
-  Tables tables{taylor_near(base_, at[0], at[1], order), taylor_near(other_, there[0], there[1], order)};
+  Tables tables{taylor_near(base_, at[0], at[1], order), taylor_near(other_, there[0], there[1], order),
+                base_.polynomial && other_.polynomial};
   to_frame(*frame, tables.base);
   to_frame(*frame, tables.other);
   return tables;
 }
 
-double ContactCurve::derivative_near(const Place& at, const Place& direction, std::size_t order) const {
+std::optional<PlaneSeries<double>> ContactCurve::heights_near(const Place& at, std::size_t order) const {
   const auto tables = tables_near(at, order);
-  return tables ? tables->derivative(direction, order) : std::nan("");
+  if (!tables) return std::nullopt;
+  return tables->heights({1, 0}, {0, 1}, order);
 }
 
 std::optional<Place> ContactCurve::crossing_near(const Place& start, double reach) const {
   // The secant method along the curve.
-  const auto bend_at = [&](const Place& at) { return derivative_near(at, unit(gradient(at)), 2); };
+  const auto bend_at = [&](const Place& at) {
+    const auto heights = heights_near(at, 2);
+    return heights ? derivative_in(*heights, unit(gradient(at)), 2) : std::nan("");
+  };
   const auto moved = [&](const Place& at, double by) {
     const Place across = unit(gradient(at));
     return nearest({at[0] - by * across[1], at[1] + by * across[0]});
@@ -68,12 +73,14 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   const Place steepest = unit(gradient(origin));
   const Place along{-steepest[1], steepest[0]};
   // Across the curve and the branch alike.
+  const auto heights_here = heights_near(origin, 3);
+  if (!heights_here) return std::nullopt;
   Place across = steepest;
   double largest = 0;
   for (const double turn : {0.0, 0.5, -0.5, 1.0, -1.0}) {
     const Place direction{std::cos(turn) * steepest[0] + std::sin(turn) * along[0],
                           std::cos(turn) * steepest[1] + std::sin(turn) * along[1]};
-    const double third = std::fabs(derivative_near(origin, direction, 3));
+    const double third = std::fabs(derivative_in(*heights_here, direction, 3));
     if (third > largest * 1.25) {
       largest = third;
       across = direction;
@@ -81,13 +88,13 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   }
   const auto around = region(box, origin, across, along, 4);
   if (!around) return std::nullopt;
-  const Forms forms = forms_on(*around);
+  const Forms forms = forms_on(*around, around->heights(4));
   if (!forms.xxx.is_finite() || !forms.xxx.excludes_zero()) return std::nullopt;
   const DoubleInterval turning = forms.xxy + forms.xxx * around->slope;
   if (!turning.is_finite() || !turning.excludes_zero()) return std::nullopt;
 
   // Newton's step from the origin, where h is known to roundings.
-  const double bend = std::fabs(derivative_near(origin, across, 2)) + rounding_of_derivative(2);
+  const double bend = std::fabs(derivative_in(*heights_here, across, 2)) + rounding_of_derivative(2);
   const double least = std::min(std::fabs(turning.lower), std::fabs(turning.upper));
   const double shift = bend / least + 1e-14;
   if (!(shift < 0.5 * around->length)) return std::nullopt;
