@@ -13,9 +13,15 @@ namespace eliminant::bridge {
 
 using namespace contact;
 
-ContactCurve::ContactCurve(const ControlNet& base, const ControlNet& other, symbolic::ContactRelation relation,
-                           bool swapped)
-    : base_(base), other_(other), relation_(std::move(relation)), swapped_(swapped), curve_(relation_.curve) {
+ContactCurve::ContactCurve(const ControlNet& base, const ControlNet& other, const ExactNet& exact_base,
+                           const ExactNet& exact_other, symbolic::ContactRelation relation, bool swapped)
+    : base_(base),
+      other_(other),
+      exact_base_(exact_base),
+      exact_other_(exact_other),
+      relation_(std::move(relation)),
+      swapped_(swapped),
+      curve_(relation_.curve) {
   for (std::size_t k = 0; k < 2; ++k) {
     by_[k] = curve_.derivative(k);
     numerator_[k] = IntervalPolynomial(relation_.numerator[k]);
@@ -148,6 +154,9 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
   if (!frame) return std::nullopt;
   const auto by_plane = parameters_by_plane(*frame, PatchJets(other_).at(middle[0], middle[1]));
   if (!by_plane) return std::nullopt;
+  result.frame = *frame;
+  result.by_plane = *by_plane;
+  result.middle_of_other = middle;
   result.base = taylor_on_box(base_, *frame, of_base, 0, order);
   const EnclosedPatch enclosed_base(result.base.truncated(2));
   for (std::size_t k = 0; k < 2; ++k) {

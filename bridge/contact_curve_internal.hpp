@@ -43,7 +43,8 @@ inline double factorial(std::size_t n) { return n < 2 ? 1 : static_cast<double>(
 
 inline DoubleInterval symmetric(double reach) { return {-reach, reach}; }
 
-/// The table of a patch in parameters (p, q) with s = m00 p + m01 q, t = m10 p + m11 q; weights too unless `polynomial`.
+/// The table of a patch in parameters (p, q) with s = m00 p + m01 q, t = m10 p + m11 q; weights too unless
+/// `polynomial`.
 template <class Scalar>
 TaylorTable<Scalar> in_parameters(const TaylorTable<Scalar>& patch, const Eigen::Matrix2d& m, bool polynomial) {
   const std::size_t coordinates = polynomial ? weight : weight + 1;
@@ -85,6 +86,21 @@ Scalar derivative_in(const PlaneSeries<Scalar>& series, const Place& direction, 
     sum = sum + term;
   }
   return Scalar(factorial(order)) * sum;
+}
+
+/// Encloses the table at all points whose parameters differ by at most `reach` from those of the table; `around` is the
+/// table on a box that holds them, of a higher order.
+inline TaylorTable<DoubleInterval> widened(const TaylorTable<DoubleInterval>& table, double reach,
+                                           const TaylorTable<DoubleInterval>& around) {
+  TaylorTable<DoubleInterval> result = table;
+  for (std::size_t i = 0; i <= table.order(); ++i)
+    for (std::size_t j = 0; i + j <= table.order(); ++j)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double fastest = static_cast<double>(i + 1) * around.at(i + 1, j)[k].magnitude() +
+                               static_cast<double>(j + 1) * around.at(i, j + 1)[k].magnitude();
+        result.at(i, j)[k] = result.at(i, j)[k] + symmetric(reach * fastest);
+      }
+  return result;
 }
 
 inline void to_frame(const ContactFrame& frame, TaylorTable<double>& table) {
@@ -129,7 +145,11 @@ struct ContactCurve::Region {
   /// In parameters that are nearly those of the tangent plane.
   TaylorTable<DoubleInterval> other{2, 0};
   bool polynomial = false;
-  /// The parameters of the other patch.
+  /// Of both tables, and of the second one's parameters.
+  ContactFrame frame;
+  Eigen::Matrix2d by_plane = Eigen::Matrix2d::Identity();
+  /// The parameters of the other patch: at the origin, and all.
+  contact::Place middle_of_other{};
   contact::Place lower_of_other{};
   contact::Place upper_of_other{};
   /// Bounds |ds| + |dt| where both parameters of the base move by at most one.

@@ -40,8 +40,8 @@ void add_product(const PlaneSeries<Scalar>& a, std::size_t least_a, const PlaneS
 
 /// The difference h of two patches along a normal as a series in the parameters (x, y) of the first, while those of the
 /// second follow so that both other coordinates stay equal: ContactSeries for all directions at once. Coordinates are
-/// compared with weights multiplied crosswise; where `polynomial` all weights are taken as 1. The constant terms of both
-/// others are taken as equal, and that of h is 0. Terms up to the degree `order` <= 4.
+/// compared with weights multiplied crosswise; where `polynomial` all weights are taken as 1. The constant terms of
+/// both others are taken as equal, and that of h is 0. Terms up to the degree `order` <= 4.
 template <class Scalar>
 PlaneSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const TaylorTable<Scalar>& second,
                                   std::size_t order, bool polynomial) {
@@ -79,8 +79,7 @@ PlaneSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const Taylor
   const auto difference = [&](std::size_t k, std::size_t n) {
     Series result;
     if (polynomial) {
-      for (std::size_t j = 0; j <= n; ++j)
-        result.at(n - j, j) = of_first[k].at(n - j, j) - of_second[k].at(n - j, j);
+      for (std::size_t j = 0; j <= n; ++j) result.at(n - j, j) = of_first[k].at(n - j, j) - of_second[k].at(n - j, j);
       return result;
     }
     Series back;
