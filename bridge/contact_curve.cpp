@@ -13,9 +13,15 @@ namespace eliminant::bridge {
 
 using namespace contact;
 
-ContactCurve::ContactCurve(const ControlNet& base, const ControlNet& other, symbolic::ContactRelation relation,
-                           bool swapped)
-    : base_(base), other_(other), relation_(std::move(relation)), swapped_(swapped), curve_(relation_.curve) {
+ContactCurve::ContactCurve(const ControlNet& base, const ControlNet& other, const ExactNet& exact_base,
+                           const ExactNet& exact_other, symbolic::ContactRelation relation, bool swapped)
+    : base_(base),
+      other_(other),
+      exact_base_(exact_base),
+      exact_other_(exact_other),
+      relation_(std::move(relation)),
+      swapped_(swapped),
+      curve_(relation_.curve) {
   for (std::size_t k = 0; k < 2; ++k) {
     by_[k] = curve_.derivative(k);
     numerator_[k] = IntervalPolynomial(relation_.numerator[k]);
@@ -148,6 +154,9 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
   if (!frame) return std::nullopt;
   const auto by_plane = parameters_by_plane(*frame, PatchJets(other_).at(middle[0], middle[1]));
   if (!by_plane) return std::nullopt;
+  result.frame = *frame;
+  result.by_plane = *by_plane;
+  result.middle_of_other = middle;
   result.base = taylor_on_box(base_, *frame, of_base, 0, order);
   const EnclosedPatch enclosed_base(result.base.truncated(2));
   for (std::size_t k = 0; k < 2; ++k) {
@@ -163,7 +172,9 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
       result.following += 1.6 * (std::fabs((*by_plane)(row, 0)) * enclosed_base.first[i][0].magnitude() +
                                  std::fabs((*by_plane)(row, 1)) * enclosed_base.first[i][1].magnitude());
   }
-  result.other = in_parameters(taylor_on_box(other_, *frame, of_other, 0, order), *by_plane);
+  result.polynomial = base_.polynomial && other_.polynomial;
+  result.base = in_parameters(result.base, columns_of(across, along), result.polynomial);
+  result.other = in_parameters(taylor_on_box(other_, *frame, of_other, 0, order), *by_plane, result.polynomial);
   if (!(result.base.at(0, 0)[weight].lower > 0) || !(result.other.at(0, 0)[weight].lower > 0)) return std::nullopt;
   // In these parameters the derivative along the tangent plane is near the identity: the function exists, and is one.
   const EnclosedPatch enclosed_other(result.other.truncated(2));
@@ -177,35 +188,23 @@ std::optional<ContactCurve::Region> ContactCurve::region(const CellBox& box, con
   return result;
 }
 
-ContactCurve::Forms ContactCurve::forms_on(const Region& region) const {
-  const Place& x = region.across;
-  const Place& y = region.along;
-  const auto combination = [&](double p, double q) { return Place{p * x[0] + q * y[0], p * x[1] + q * y[1]}; };
-  const auto fourth = [&](double p, double q) { return region.derivative(combination(p, q), 4); };
-  // By polarisation.
-  const DoubleInterval xxxx = fourth(1, 0);
-  const DoubleInterval yyyy = fourth(0, 1);
-  const DoubleInterval plus = fourth(1, 1);
-  const DoubleInterval minus = fourth(1, -1);
+ContactCurve::Forms ContactCurve::forms_on(const Region& region, const PlaneSeries<DoubleInterval>& heights) const {
   Forms forms;
-  forms.xxxx = xxxx;
-  forms.xxyy = (plus + minus - DoubleInterval(2) * (xxxx + yyyy)) / DoubleInterval(12);
-  forms.xxxy = (fourth(2, 1) - fourth(2, -1) - DoubleInterval(2) * (plus - minus)) / DoubleInterval(48);
+  forms.xxxx = DoubleInterval(24) * heights.at(4, 0);
+  forms.xxxy = DoubleInterval(6) * heights.at(3, 1);
+  forms.xxyy = DoubleInterval(4) * heights.at(2, 2);
   // What is known at the origin, and by how much it changes: both patches alike bend more than their difference.
   const auto tables = tables_near(region.origin, 3);
-  const auto near = [&](double p, double q, std::size_t order) {
-    return tables ? tables->derivative(combination(p, q), order) : std::nan("");
-  };
-  const double third = near(1, 0, 3);
-  const double mixed = (near(1, 1, 3) - near(1, -1, 3) - 2 * near(0, 1, 3)) / 6;
+  if (!tables) return forms;
+  const PlaneSeries<double> near = tables->heights(region.across, region.along, 3);
   const DoubleInterval across(-region.reach, region.reach);
   const DoubleInterval along(-region.length, region.length);
-  const DoubleInterval third_here = DoubleInterval::around(third, rounding_of_derivative(3));
-  const DoubleInterval mixed_here = DoubleInterval::around(mixed, 4 * rounding_of_derivative(3));
+  const DoubleInterval third_here = DoubleInterval::around(6 * near.at(3, 0), rounding_of_derivative(3));
+  const DoubleInterval mixed_here = DoubleInterval::around(2 * near.at(2, 1), 4 * rounding_of_derivative(3));
   forms.xxx = third_here + across * forms.xxxx + along * forms.xxxy;
   forms.xxy = mixed_here + across * forms.xxxy + along * forms.xxyy;
   const auto square = [](double half) { return DoubleInterval(0, half * half * (1 + 1e-12)); };
-  forms.xx = DoubleInterval::around(near(1, 0, 2), rounding_of_derivative(2)) + across * third_here +
+  forms.xx = DoubleInterval::around(2 * near.at(2, 0), rounding_of_derivative(2)) + across * third_here +
              along * mixed_here + DoubleInterval(0.5) * square(region.reach) * forms.xxxx +
              across * along * forms.xxxy + DoubleInterval(0.5) * square(region.length) * forms.xxyy;
   return forms;
@@ -273,8 +272,9 @@ bool ContactCurve::explains(const CellBox& asked) {
   // More often than not, larger cells are not worth a closer look.
   constexpr double small = 0.125;
   const bool is_small = around->reach < small && around->length < small;
-  if (!has_one_sign(around->derivative(across, 2)) &&
-      !(is_small && has_one_sign(is_cut ? bend_on_cut(*around) : forms_on(*around).xx)))
+  const PlaneSeries<DoubleInterval> heights = around->heights(is_small ? 4 : 2);
+  if (!has_one_sign(heights.at(2, 0)) &&
+      !(is_small && has_one_sign(is_cut ? bend_on_cut(*around, heights) : forms_on(*around, heights).xx)))
     return false;
   constexpr double inside = 1 - 1e-9;
   if (!is_cut)
@@ -283,23 +283,17 @@ bool ContactCurve::explains(const CellBox& asked) {
   return true;
 }
 
-DoubleInterval ContactCurve::bend_on_cut(const Region& region) const {
+DoubleInterval ContactCurve::bend_on_cut(const Region& region, const PlaneSeries<DoubleInterval>& heights) const {
   const auto tables = tables_near(region.origin, 3);
-  if (!tables) return {};
+  if (!tables) return {-INFINITY, INFINITY};
+  const PlaneSeries<double> near = tables->heights(region.across, region.along, 3);
   const DoubleInterval across(-region.reach, region.reach);
   const DoubleInterval along(-region.length, region.length);
-  const auto here = [&](std::size_t order) {
-    return DoubleInterval::around(tables->derivative(region.across, order), rounding_of_derivative(order));
-  };
   // Along the cut by Taylor's formula; it hardly has a width.
-  const Place sum{region.across[0] + region.along[0], region.across[1] + region.along[1]};
-  const Place difference{region.across[0] - region.along[0], region.across[1] - region.along[1]};
-  const DoubleInterval mixed = (region.derivative(sum, 3) - region.derivative(difference, 3) -
-                                DoubleInterval(2) * region.derivative(region.along, 3)) /
-                               DoubleInterval(6);
   const double square = region.reach * region.reach * (1 + 1e-12);
-  return here(2) + across * here(3) + DoubleInterval(0, 0.5 * square) * region.derivative(region.across, 4) +
-         along * mixed;
+  return DoubleInterval::around(2 * near.at(2, 0), rounding_of_derivative(2)) +
+         across * DoubleInterval::around(6 * near.at(3, 0), rounding_of_derivative(3)) +
+         DoubleInterval(0, 12 * square) * heights.at(4, 0) + along * (DoubleInterval(2) * heights.at(2, 1));
 }
 
 }  // namespace eliminant::bridge

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <eliminant/bridge/cell_box.hpp>
-#include <eliminant/bridge/contact_series.hpp>
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/bridge/height_series.hpp>
 #include <eliminant/bridge/interval_polynomial.hpp>
 #include <eliminant/symbolic/elimination/contact_identity.hpp>
 
@@ -36,16 +36,13 @@ struct CurveCrossing {
   double branch_bend = 0;
   /// A lower bound of the third derivative of h across the curve, in absolute value.
   double least_third = 0;
-};
+  /// In space, of the base: bounds of first derivatives by the parameters, added, and of the second along vectors whose
+  /// coordinates are at most one.
+  std::array<double, 3> speed{};
+  std::array<double, 3> bending{};
 
-/// A point of the branch.
-struct BranchPoint {
-  /// u, v, s, t.
-  std::array<double, 4> parameters{};
-  /// Of the base.
-  std::array<double, 3> point{};
-  /// Bounds the error of x.
-  double error = 0;
+  /// x and y of parameters of the base.
+  std::array<double, 2> coordinates_of(const std::array<double, 2>& at) const;
 };
 
 /// A curve along which two patches touch, and what is proven of the intersection around it.
@@ -59,7 +56,8 @@ class ContactCurve {
  public:
   /// The curve is in the parameters of `base`, which is the second patch where `swapped`. The relation must have been
   /// proven (symbolic::touch_along). The nets must outlive the object.
-  ContactCurve(const ControlNet& base, const ControlNet& other, symbolic::ContactRelation relation, bool swapped);
+  ContactCurve(const ControlNet& base, const ControlNet& other, const ExactNet& exact_base, const ExactNet& exact_other,
+               symbolic::ContactRelation relation, bool swapped);
 
   const symbolic::ContactRelation& relation() const { return relation_; }
   bool swapped() const { return swapped_; }
@@ -85,12 +83,20 @@ class ContactCurve {
   /// crosses it.
   std::optional<CurveCrossing> crossing(const CellBox& box) const;
 
-  /// The point of the branch at a value y that is not 0, near `x`; nullopt where doubles do not find it.
-  std::optional<BranchPoint> branch_point(const CurveCrossing& crossing, double x, double y) const;
+  /// Where the curve is on the line at a value y, approximately: its x.
+  double across_at(const CurveCrossing& crossing, double y) const;
 
-  /// Bounds the distance in space of the branch from a chord between two points of it, apart by `step` in y and wrong
-  /// by at most `error` in x; infinite where nothing is known.
-  double chord_error(const CurveCrossing& crossing, double step, double error) const;
+  /// Bounds the distance in space of the branch from a chord between two of its points at parameters of the base, which
+  /// are wrong by at most `error` in x; infinite where nothing is known.
+  static double chord_error(const CurveCrossing& crossing, const std::array<double, 2>& from,
+                            const std::array<double, 2>& to, double error);
+  /// The part of it that grows with the square of the step in y, for a step of one near these parameters.
+  static double unit_chord_error(const CurveCrossing& crossing, const std::array<double, 2>& near);
+
+  const ControlNet& base() const { return base_; }
+  const ControlNet& other() const { return other_; }
+  const ExactNet& exact_base() const { return exact_base_; }
+  const ExactNet& exact_other() const { return exact_other_; }
 
  private:
   struct Region;
@@ -110,10 +116,14 @@ class ContactCurve {
   };
 
   std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
-  Forms forms_on(const Region& region) const;
+  /// From the fourth derivatives in `heights`, and lower ones at the origin.
+  Forms forms_on(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
   /// The second derivative of h along a region that hardly has a length.
-  DoubleInterval bend_on_cut(const Region& region) const;
-  /// Of a derivative of h computed by derivative_near in a direction of length about 1.
+  DoubleInterval bend_on_cut(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
+  /// The second derivative of h across the curve where it meets the line through the origin of a region, from exact
+  /// coefficients.
+  DoubleInterval bend_at_origin(const Region& region) const;
+  /// Of a derivative of h at a point, computed in doubles, in a direction of length about 1.
   double rounding_of_derivative(std::size_t order) const;
 
   CellBox in_base_order(const CellBox& box) const;
@@ -122,13 +132,14 @@ class ContactCurve {
   std::optional<Region> region(const CellBox& box, const std::array<double, 2>& origin,
                                const std::array<double, 2>& across, const std::array<double, 2>& along,
                                std::size_t order) const;
-  /// The derivative of h at a point of the curve, approximately.
-  double derivative_near(const std::array<double, 2>& at, const std::array<double, 2>& direction,
-                         std::size_t order) const;
+  /// h at a point of the curve by the parameters of the base, approximately.
+  std::optional<PlaneSeries<double>> heights_near(const std::array<double, 2>& at, std::size_t order) const;
   std::optional<std::array<double, 2>> crossing_near(const std::array<double, 2>& start, double reach) const;
 
   const ControlNet& base_;
   const ControlNet& other_;
+  const ExactNet& exact_base_;
+  const ExactNet& exact_other_;
   symbolic::ContactRelation relation_;
   bool swapped_;
   IntervalPolynomial curve_;

@@ -9,6 +9,7 @@
 #include <eliminant/bridge/contact_curve.hpp>
 #include <eliminant/bridge/contact_curve_internal.hpp>
 #include <eliminant/bridge/enclosed_patch.hpp>
+#include <eliminant/bridge/rational_double.hpp>
 
 namespace eliminant::bridge {
 
@@ -19,20 +20,25 @@ std::optional<ContactCurve::Tables> ContactCurve::tables_near(const Place& at, s
   if (!frame) return std::nullopt;
   const Place there{numerator_[0].near(at[0], at[1]) / denominator_[0].near(at[0], at[1]),
                     numerator_[1].near(at[0], at[1]) / denominator_[1].near(at[0], at[1])};
-  Tables tables{taylor_near(base_, at[0], at[1], order), taylor_near(other_, there[0], there[1], order)};
+  Tables tables{taylor_near(base_, at[0], at[1], order), taylor_near(other_, there[0], there[1], order),
+                base_.polynomial && other_.polynomial};
   to_frame(*frame, tables.base);
   to_frame(*frame, tables.other);
   return tables;
 }
 
-double ContactCurve::derivative_near(const Place& at, const Place& direction, std::size_t order) const {
+std::optional<PlaneSeries<double>> ContactCurve::heights_near(const Place& at, std::size_t order) const {
   const auto tables = tables_near(at, order);
-  return tables ? tables->derivative(direction, order) : std::nan("");
+  if (!tables) return std::nullopt;
+  return tables->heights({1, 0}, {0, 1}, order);
 }
 
 std::optional<Place> ContactCurve::crossing_near(const Place& start, double reach) const {
   // The secant method along the curve.
-  const auto bend_at = [&](const Place& at) { return derivative_near(at, unit(gradient(at)), 2); };
+  const auto bend_at = [&](const Place& at) {
+    const auto heights = heights_near(at, 2);
+    return heights ? derivative_in(*heights, unit(gradient(at)), 2) : std::nan("");
+  };
   const auto moved = [&](const Place& at, double by) {
     const Place across = unit(gradient(at));
     return nearest({at[0] - by * across[1], at[1] + by * across[0]});
@@ -56,6 +62,32 @@ std::optional<Place> ContactCurve::crossing_near(const Place& start, double reac
   return std::fabs(step) < 1e-9 ? std::optional(here) : std::nullopt;
 }
 
+DoubleInterval ContactCurve::bend_at_origin(const Region& region) const {
+  // How far the curve is from the origin, and its point of the other patch from the one taken.
+  const IntervalPolynomial curve = curve_.in_frame(region.origin, region.across, region.along);
+  const double far =
+      1.3 * curve.on(DoubleInterval(0), DoubleInterval(0)).magnitude() / std::fabs(curve.derivative(0).near(0, 0));
+  Eigen::Vector2d moved;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto value = [&](const IntervalPolynomial& p) {
+      return p.in_frame(region.origin, region.across, region.along).on(symmetric(far), DoubleInterval(0));
+    };
+    const DoubleInterval there = value(numerator_[k]) / value(denominator_[k]);
+    moved[static_cast<long>(k)] = (there - DoubleInterval(region.middle_of_other[k])).magnitude();
+  }
+  const double far_of_other = (region.by_plane.inverse().cwiseAbs() * moved).maxCoeff() * (1 + 1e-9);
+  const auto at = [](const ExactNet& exact, const ControlNet& net, const ContactFrame& frame, const Place& place) {
+    return enclosed(taylor_at(exact, {exactly(place[0]), exactly(place[1])}, 2), net, frame);
+  };
+  const auto base = in_parameters(at(exact_base_, base_, region.frame, region.origin),
+                                  columns_of(region.across, region.along), region.polynomial);
+  const auto other =
+      in_parameters(at(exact_other_, other_, region.frame, region.middle_of_other), region.by_plane, region.polynomial);
+  const PlaneSeries<DoubleInterval> heights =
+      height_series(widened(base, far, region.base), widened(other, far_of_other, region.other), 2, region.polynomial);
+  return DoubleInterval(2) * heights.at(2, 0);
+}
+
 std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const {
   const CellBox box = in_base_order(asked);
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
@@ -68,12 +100,14 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   const Place steepest = unit(gradient(origin));
   const Place along{-steepest[1], steepest[0]};
   // Across the curve and the branch alike.
+  const auto heights_here = heights_near(origin, 3);
+  if (!heights_here) return std::nullopt;
   Place across = steepest;
   double largest = 0;
   for (const double turn : {0.0, 0.5, -0.5, 1.0, -1.0}) {
     const Place direction{std::cos(turn) * steepest[0] + std::sin(turn) * along[0],
                           std::cos(turn) * steepest[1] + std::sin(turn) * along[1]};
-    const double third = std::fabs(derivative_near(origin, direction, 3));
+    const double third = std::fabs(derivative_in(*heights_here, direction, 3));
     if (third > largest * 1.25) {
       largest = third;
       across = direction;
@@ -81,13 +115,13 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   }
   const auto around = region(box, origin, across, along, 4);
   if (!around) return std::nullopt;
-  const Forms forms = forms_on(*around);
+  const Forms forms = forms_on(*around, around->heights(4));
   if (!forms.xxx.is_finite() || !forms.xxx.excludes_zero()) return std::nullopt;
   const DoubleInterval turning = forms.xxy + forms.xxx * around->slope;
   if (!turning.is_finite() || !turning.excludes_zero()) return std::nullopt;
 
-  // Newton's step from the origin, where h is known to roundings.
-  const double bend = std::fabs(derivative_near(origin, across, 2)) + rounding_of_derivative(2);
+  // Newton's step from the origin.
+  const double bend = bend_at_origin(*around).magnitude();
   const double least = std::min(std::fabs(turning.lower), std::fabs(turning.upper));
   const double shift = bend / least + 1e-14;
   if (!(shift < 0.5 * around->length)) return std::nullopt;
@@ -124,100 +158,59 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
       forms.xxx;
   result.branch_slope = (around->slope + offset_slope).magnitude();
   result.branch_bend = (around->bend + offset_bend).magnitude();
-  // In a smaller box more is known of the branch.
-  double extent = 0;
-  for (const Array4d& point : base_.points) extent = std::max(extent, point.abs().head<3>().maxCoeff());
-  constexpr double accuracy = 1e-6;
-  constexpr double pieces = 512;
-  if (!(chord_error(result, result.length / pieces, 0) < accuracy * extent)) return std::nullopt;
-  return result;
-}
-
-std::optional<BranchPoint> ContactCurve::branch_point(const CurveCrossing& crossing, double x, double y) const {
-  const auto place = [&](double across) {
-    return Place{crossing.origin[0] + across * crossing.across[0] + y * crossing.along[0],
-                 crossing.origin[1] + across * crossing.across[1] + y * crossing.along[1]};
-  };
-  PatchJets base(base_);
-  PatchJets other(other_);
-  const auto frame = tangent_frame(base.at(crossing.origin[0], crossing.origin[1]));
-  if (!frame) return std::nullopt;
-  // The curve at y.
-  double on_curve = 0;
-  for (int step = 0; step < 8; ++step) {
-    const Place at = place(on_curve);
-    on_curve -= curve_.near(at[0], at[1]) / dot(gradient(at), crossing.across);
-  }
-  const auto in_frame = [&](const Array4d& d) {
-    return Array4d(frame->columns[0] * d[0] + frame->columns[1] * d[1] + frame->columns[2] * d[2]);
-  };
-  BranchPoint result;
-  double residual = 0;
-  double slack = 0;
-  // The difference of the patches along the normal, once they are equal along the plane.
-  const auto difference_at = [&](double across) {
-    const Place at = place(across);
-    const PatchJets::Value a = base.at(at[0], at[1]);
-    std::array<double, 4> both = parameters_at(at);
-    if (swapped_) both = {both[2], both[3], both[0], both[1]};
-    PatchJets::Value b = other.at(both[2], both[3]);
-    Array4d difference = in_frame(a.point - b.point);
-    for (int step = 0; step < 5; ++step) {
-      const auto by_plane = parameters_by_plane(*frame, b);
-      if (!by_plane) break;
-      const Eigen::Vector2d change = *by_plane * Eigen::Vector2d(difference[0], difference[1]);
-      both[2] += change[0];
-      both[3] += change[1];
-      b = other.at(both[2], both[3]);
-      difference = in_frame(a.point - b.point);
-      if (!(change.lpNorm<Eigen::Infinity>() > 1e-14)) break;
-    }
-    for (std::size_t k = 0; k < 3; ++k) result.point[k] = a.point[static_cast<long>(k)];
-    result.parameters = swapped_ ? std::array<double, 4>{both[2], both[3], at[0], at[1]} : both;
-    residual = difference[2];
-    slack = 4 * (a.error + b.error);
-    return residual / ((across - on_curve) * (across - on_curve));
-  };
-  // The secant method on the divided difference, which is nearly linear.
-  double before = x + 0.01 * (x - on_curve);
-  double before_value = difference_at(before);
-  double here = x;
-  double value = difference_at(here);
-  constexpr int most_steps = 12;
-  for (int step = 0; step < most_steps && value != before_value; ++step) {
-    const double next = here - value * (here - before) / (value - before_value);
-    if (!(std::fabs(next) < 2 * crossing.reach) || next == on_curve) return std::nullopt;
-    before = std::exchange(here, next);
-    before_value = std::exchange(value, difference_at(next));
-    if (std::fabs(here - before) < 1e-12) break;
-  }
-  double heaviest = 1;
-  for (const ControlNet* net : {&base_, &other_}) {
-    double most = 0;
-    for (const Array4d& point : net->points) most = std::max(most, point[3]);
-    heaviest *= most;
-  }
-  const double offset = std::fabs(here - on_curve) * (1 - 1e-6) - 1e-13;
-  if (!(offset > 0) || !(std::fabs(here) < crossing.reach)) return std::nullopt;
-  result.error = 6.1 * heaviest * (std::fabs(residual) + slack) / (crossing.least_third * offset * offset) + 1e-15;
-  return result;
-}
-
-double ContactCurve::chord_error(const CurveCrossing& crossing, double step, double error) const {
-  const double half = crossing.reach + crossing.length;
-  const Place& origin = crossing.origin;
+  const double half = result.length + result.reach;
   const auto bounds =
       PatchJets(base_).bounds_on(origin[0] - half, origin[0] + half, origin[1] - half, origin[1] + half);
-  if (!bounds) return std::numeric_limits<double>::infinity();
-  const double length = step * (1 + crossing.branch_slope);
-  const double deviation = 0.125 * crossing.branch_bend * step * step + error;
-  double result = 0;
-  for (long c = 0; c < 3; ++c) {
-    const double speed = bounds->first[0][c] + bounds->first[1][c];
-    const double bending = bounds->second[0][c] + 2 * bounds->second[1][c] + bounds->second[2][c];
-    result = std::max(result, speed * deviation + 0.125 * bending * length * length);
+  if (!bounds) return std::nullopt;
+  double extent = 0;
+  for (const Array4d& point : base_.points) extent = std::max(extent, point.abs().head<3>().maxCoeff());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto c = static_cast<long>(k);
+    result.speed[k] = bounds->first[0][c] + bounds->first[1][c];
+    result.bending[k] = bounds->second[0][c] + 2 * bounds->second[1][c] + bounds->second[2][c];
   }
-  return 1.74 * result;
+  // In a smaller box more is known of the branch.
+  constexpr double accuracy = 1e-6;
+  constexpr double pieces = 512;
+  const double step = result.length / pieces;
+  if (!(unit_chord_error(result, origin) * step * step < accuracy * extent)) return std::nullopt;
+  return result;
+}
+
+Place CurveCrossing::coordinates_of(const Place& at) const {
+  const Place offset{at[0] - origin[0], at[1] - origin[1]};
+  const double area = cross(across, along);
+  return {cross(offset, along) / area, cross(across, offset) / area};
+}
+
+double ContactCurve::across_at(const CurveCrossing& crossing, double y) const {
+  double x = 0;
+  constexpr int most_steps = 8;
+  for (int step = 0; step < most_steps; ++step) {
+    const Place at{crossing.origin[0] + x * crossing.across[0] + y * crossing.along[0],
+                   crossing.origin[1] + x * crossing.across[1] + y * crossing.along[1]};
+    const double change = curve_.near(at[0], at[1]) / dot(gradient(at), crossing.across);
+    x -= change;
+    if (!(std::fabs(change) > 1e-16)) break;
+  }
+  return x;
+}
+
+double ContactCurve::chord_error(const CurveCrossing& crossing, const Place& from, const Place& to, double error) {
+  const double a = crossing.coordinates_of(from)[1];
+  const double b = crossing.coordinates_of(to)[1];
+  if (!(std::max(std::fabs(a), std::fabs(b)) < crossing.length)) return std::numeric_limits<double>::infinity();
+  const double fastest = *std::max_element(crossing.speed.begin(), crossing.speed.end());
+  return unit_chord_error(crossing, from) * (a - b) * (a - b) + 1.74 * fastest * error;
+}
+
+double ContactCurve::unit_chord_error(const CurveCrossing& crossing, const Place& near) {
+  if (!(std::fabs(crossing.coordinates_of(near)[1]) < crossing.length)) return std::numeric_limits<double>::infinity();
+  const double length = 1 + crossing.branch_slope;
+  double result = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    result = std::max(result, crossing.speed[k] * crossing.branch_bend + crossing.bending[k] * length * length);
+  return 1.74 * 0.125 * result;
 }
 
 }  // namespace eliminant::bridge

@@ -13,6 +13,7 @@
 #include <eliminant/bridge/contact_curve.hpp>
 #include <eliminant/bridge/contact_series.hpp>
 #include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/bridge/height_series.hpp>
 #include <eliminant/bridge/patch_jets.hpp>
 #include <eliminant/bridge/taylor_tables.hpp>
 
@@ -24,8 +25,12 @@ namespace contact {
 using Place = std::array<double, 2>;
 
 inline constexpr std::size_t weight = 3;
-/// Index of the coordinate along the normal in a frame.
-inline constexpr std::size_t normal = 2;
+/// Both directions as columns.
+inline Eigen::Matrix2d columns_of(const Place& a, const Place& b) {
+  Eigen::Matrix2d result;
+  result << a[0], b[0], a[1], b[1];
+  return result;
+}
 
 inline double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1]; }
 inline double cross(const Place& a, const Place& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -34,48 +39,67 @@ inline Place unit(const Place& a) {
   return {a[0] / length, a[1] / length};
 }
 
+inline double factorial(std::size_t n) { return n < 2 ? 1 : static_cast<double>(n) * factorial(n - 1); }
+
 inline DoubleInterval symmetric(double reach) { return {-reach, reach}; }
 
-/// The table of a patch along a line of its parameters.
+/// The table of a patch in parameters (p, q) with s = m00 p + m01 q, t = m10 p + m11 q; weights too unless
+/// `polynomial`.
 template <class Scalar>
-TaylorTable<Scalar> along_line(const TaylorTable<Scalar>& patch, const Place& direction) {
-  TaylorTable<Scalar> line(1, patch.order());
-  for (std::size_t n = 0; n <= patch.order(); ++n)
-    for (std::size_t k = 0; k < 4; ++k) {
-      Scalar sum(0);
-      for (std::size_t i = 0; i <= n; ++i) {
-        Scalar term = patch.at(i, n - i)[k];
-        for (std::size_t p = 0; p < n; ++p) term = term * Scalar(direction[p < i ? 0 : 1]);
-        sum = sum + term;
-      }
-      line.at(n)[k] = sum;
+TaylorTable<Scalar> in_parameters(const TaylorTable<Scalar>& patch, const Eigen::Matrix2d& m, bool polynomial) {
+  const std::size_t coordinates = polynomial ? weight : weight + 1;
+  const std::size_t order = patch.order();
+  TaylorTable<Scalar> result(2, order);
+  for (std::size_t i = 0; i <= order; ++i)
+    for (std::size_t j = 0; i + j <= order; ++j) result.at(i, j).fill(Scalar(0));
+  if (polynomial) result.at(0, 0)[weight] = Scalar(1);
+  const auto times = [](const std::vector<Scalar>& form, double p, double q) {
+    std::vector<Scalar> next(form.size() + 1, Scalar(0));
+    for (std::size_t a = 0; a < form.size(); ++a) {
+      next[a + 1] = next[a + 1] + form[a] * Scalar(p);
+      next[a] = next[a] + form[a] * Scalar(q);
     }
-  return line;
+    return next;
+  };
+  // The forms s^i t^j by powers of p.
+  std::vector<Scalar> power_of_s{Scalar(1)};
+  for (std::size_t i = 0; i <= order; ++i) {
+    std::vector<Scalar> form = power_of_s;
+    for (std::size_t j = 0; i + j <= order; ++j) {
+      for (std::size_t a = 0; a < form.size(); ++a)
+        for (std::size_t k = 0; k < coordinates; ++k)
+          result.at(a, i + j - a)[k] = result.at(a, i + j - a)[k] + form[a] * patch.at(i, j)[k];
+      if (i + j < order) form = times(form, m(1, 0), m(1, 1));
+    }
+    if (i < order) power_of_s = times(power_of_s, m(0, 0), m(0, 1));
+  }
+  return result;
 }
 
-/// The table of a patch in parameters (p, q) with s = m00 p + m01 q, t = m10 p + m11 q.
+/// The derivative of this order in the direction (x, y) of the function with that series.
 template <class Scalar>
-TaylorTable<Scalar> in_parameters(const TaylorTable<Scalar>& patch, const Eigen::Matrix2d& m) {
-  TaylorTable<Scalar> result(2, patch.order());
-  for (std::size_t i = 0; i <= patch.order(); ++i)
-    for (std::size_t j = 0; i + j <= patch.order(); ++j) result.at(i, j).fill(Scalar(0));
-  for (std::size_t i = 0; i <= patch.order(); ++i)
-    for (std::size_t j = 0; i + j <= patch.order(); ++j) {
-      // The form s^i t^j by powers of p.
-      std::vector<Scalar> form{Scalar(1)};
-      for (std::size_t factor = 0; factor < i + j; ++factor) {
-        const long row = factor < i ? 0 : 1;
-        std::vector<Scalar> next(form.size() + 1, Scalar(0));
-        for (std::size_t a = 0; a < form.size(); ++a) {
-          next[a + 1] = next[a + 1] + form[a] * Scalar(m(row, 0));
-          next[a] = next[a] + form[a] * Scalar(m(row, 1));
-        }
-        form = std::move(next);
+Scalar derivative_in(const PlaneSeries<Scalar>& series, const Place& direction, std::size_t order) {
+  Scalar sum(0);
+  for (std::size_t j = 0; j <= order; ++j) {
+    Scalar term = series.at(order - j, j);
+    for (std::size_t k = 0; k < order; ++k) term = term * Scalar(direction[k < j ? 1 : 0]);
+    sum = sum + term;
+  }
+  return Scalar(factorial(order)) * sum;
+}
+
+/// Encloses the table at all points whose parameters differ by at most `reach` from those of the table; `around` is the
+/// table on a box that holds them, of a higher order.
+inline TaylorTable<DoubleInterval> widened(const TaylorTable<DoubleInterval>& table, double reach,
+                                           const TaylorTable<DoubleInterval>& around) {
+  TaylorTable<DoubleInterval> result = table;
+  for (std::size_t i = 0; i <= table.order(); ++i)
+    for (std::size_t j = 0; i + j <= table.order(); ++j)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double fastest = static_cast<double>(i + 1) * around.at(i + 1, j)[k].magnitude() +
+                               static_cast<double>(j + 1) * around.at(i, j + 1)[k].magnitude();
+        result.at(i, j)[k] = result.at(i, j)[k] + symmetric(reach * fastest);
       }
-      for (std::size_t a = 0; a < form.size(); ++a)
-        for (std::size_t k = 0; k < 4; ++k)
-          result.at(a, i + j - a)[k] = result.at(a, i + j - a)[k] + form[a] * patch.at(i, j)[k];
-    }
   return result;
 }
 
@@ -102,8 +126,6 @@ inline std::optional<Eigen::Matrix2d> parameters_by_plane(const ContactFrame& fr
   return inverse;
 }
 
-inline double factorial(std::size_t n) { return n < 2 ? 1 : static_cast<double>(n) * factorial(n - 1); }
-
 }  // namespace contact
 
 /// A parallelogram of the base's parameters around a piece of the curve that meets all its lines across, and both
@@ -118,30 +140,35 @@ struct ContactCurve::Region {
   /// How much the curve moves across where it moves by one along, and how much that changes.
   DoubleInterval slope;
   DoubleInterval bend;
+  /// In coordinates across and along.
   TaylorTable<DoubleInterval> base{2, 0};
+  /// In parameters that are nearly those of the tangent plane.
   TaylorTable<DoubleInterval> other{2, 0};
-  /// The parameters of the other patch.
+  bool polynomial = false;
+  /// Of both tables, and of the second one's parameters.
+  ContactFrame frame;
+  Eigen::Matrix2d by_plane = Eigen::Matrix2d::Identity();
+  /// The parameters of the other patch: at the origin, and all.
+  contact::Place middle_of_other{};
   contact::Place lower_of_other{};
   contact::Place upper_of_other{};
   /// Bounds |ds| + |dt| where both parameters of the base move by at most one.
   double following = 0;
 
-  /// The derivative of h of an order in a direction, on the whole parallelogram.
-  DoubleInterval derivative(const contact::Place& direction, std::size_t order) const {
-    const ContactSeries<DoubleInterval> series =
-        contact_series(contact::along_line(base.truncated(order), direction), other.truncated(order), contact::normal);
-    return DoubleInterval(contact::factorial(order)) * series.difference[order];
-  }
+  /// h by coordinates across and along, at every point of the parallelogram.
+  PlaneSeries<DoubleInterval> heights(std::size_t order) const { return height_series(base, other, order, polynomial); }
 };
 
 /// Both patches at a point of the curve, approximately, in the frame of the base.
 struct ContactCurve::Tables {
   TaylorTable<double> base;
   TaylorTable<double> other;
+  bool polynomial = false;
 
-  double derivative(const contact::Place& direction, std::size_t order) const {
-    const TaylorTable<double> line = contact::along_line(base.truncated(order), direction);
-    return contact::factorial(order) * contact_series(line, other.truncated(order), contact::normal).difference[order];
+  /// h by coordinates in two directions.
+  PlaneSeries<double> heights(const contact::Place& across, const contact::Place& along, std::size_t order) const {
+    return height_series(contact::in_parameters(base, contact::columns_of(across, along), polynomial), other, order,
+                         polynomial);
   }
 };
 

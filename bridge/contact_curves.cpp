@@ -67,9 +67,9 @@ bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, 
   if (!relation || has_zero(relation->denominator[0]) || has_zero(relation->denominator[1])) return false;
   if (!symbolic::touch_along(coordinates(swapped), coordinates(!swapped), *relation)) return false;
   if (swapped)
-    curves_.emplace_back(second_, first_, *relation, true);
+    curves_.emplace_back(second_, first_, exact_second_, exact_first_, *relation, true);
   else
-    curves_.emplace_back(first_, second_, *relation, false);
+    curves_.emplace_back(first_, second_, exact_first_, exact_second_, *relation, false);
   explained_size_.push_back(1);
   return true;
 }

@@ -3,71 +3,92 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <vector>
+
+#include <eliminant/bridge/crossing_branch.hpp>
 
 namespace eliminant::bridge {
 
-TracedArc trace_to_crossing(const ContactCurve& curve, const CrossingPoint& from, const CurveCrossing& crossing,
-                            double tolerance) {
-  const std::size_t base = curve.swapped() ? 2 : 0;
-  const std::array<double, 2> offset{from.parameters[base] - crossing.origin[0],
-                                     from.parameters[base + 1] - crossing.origin[1]};
-  const auto cross = [](const std::array<double, 2>& a, const std::array<double, 2>& b) {
-    return a[0] * b[1] - a[1] * b[0];
-  };
-  const double area = cross(crossing.across, crossing.along);
-  double x = cross(offset, crossing.along) / area;
-  const double start = cross(crossing.across, offset) / area;
-  TracedArc arc;
-  // The distance grows with the square of the step.
-  const double unit_error = curve.chord_error(crossing, 1, 0);
-  constexpr double fewest = 2;
-  constexpr double most = 1000;
-  // Nearer to the crossing the patches can hardly be told apart; a long last chord is far from the branch.
-  double last = 0;
-  double least_error = std::numeric_limits<double>::infinity();
-  for (double y = 0.25 * std::fabs(start); y > 0x1p-14; y *= 0.5) {
-    const auto point = curve.branch_point(crossing, x / start * std::copysign(y, start), std::copysign(y, start));
-    if (!point) continue;
-    const double error = curve.chord_error(crossing, y, point->error);
-    if (error < least_error) {
-      least_error = error;
-      last = y;
+namespace {
+
+using Place = std::array<double, 2>;
+
+/// What is known of the branch in boxes around the crossing, each smaller than the one before.
+std::vector<CurveCrossing> nested_crossings(const ContactCurve& curve, const CurveCrossing& crossing) {
+  std::vector<CurveCrossing> result{crossing};
+  constexpr int most = 6;
+  constexpr double shrinking = 0.3;
+  double half = crossing.length;
+  for (int i = 0; i < most; ++i) {
+    half *= shrinking;
+    CellBox box;
+    for (std::size_t k = 0; k < 4; ++k) {
+      box.lower[k] = crossing.parameters[k] - half;
+      box.upper[k] = crossing.parameters[k] + half;
     }
+    const auto smaller = curve.crossing(box);
+    if (smaller && smaller->inside && smaller->branch_bend < result.back().branch_bend) result.push_back(*smaller);
   }
-  if (last == 0) return arc;
-  const double way = std::fabs(start) - last;
-  const double steps = std::clamp(std::ceil(way / std::sqrt(0.5 * tolerance / unit_error)), fewest, most);
-  const double step = way / steps;
-  double worst = 0;
-  double slope = x / start;
-  for (double i = 0; i <= steps; ++i) {
-    const double y = std::copysign(std::fabs(start) - i * step, start);
-    auto point = curve.branch_point(crossing, x, y);
-    constexpr double poor = 1e-6;
-    if (!point || point->error > poor) point = curve.branch_point(crossing, slope * y, y);
+  return result;
+}
+
+}  // namespace
+
+TracedArc trace_to_crossing(const ContactCurve& curve, const CrossingPoint& from, const CurveCrossing& crossing,
+                            double tolerance, const Context& context) {
+  const std::size_t base = curve.swapped() ? 2 : 0;
+  TracedArc arc;
+  const std::vector<CurveCrossing> known = nested_crossings(curve, crossing);
+  const Place start = crossing.coordinates_of({from.parameters[base], from.parameters[base + 1]});
+  CrossingBranch branch(curve, crossing);
+  const double accuracy = std::max(0.02 * tolerance, 1e-14);
+  // The parameters of the branch at the crossing are known to that.
+  const double radius = known.back().radius * (1 + crossing.branch_slope) +
+                        std::fabs(known.back().origin[0] - crossing.origin[0]) +
+                        std::fabs(known.back().origin[1] - crossing.origin[1]);
+  double y = start[1];
+  double x = start[0];
+  double slope = x / y;
+  Place last{};
+  constexpr std::size_t most_points = 2000000;
+  while (arc.points.size() < most_points) {
+    if (arc.points.size() % 1024 == 0) context.checkpoint("tracing");
+    const auto point = branch.at(x, y, accuracy);
     if (!point) return arc;
-    worst = std::max(worst, point->error);
     TracedPoint traced;
     for (std::size_t k = 0; k < 4; ++k) traced.parameters[k] = std::clamp(point->parameters[k], 0.0, 1.0);
     traced.point = point->point;
+    const Place here{point->parameters[base], point->parameters[base + 1]};
+    if (!arc.points.empty()) {
+      double least = INFINITY;
+      for (const CurveCrossing& box : known) least = std::min(least, curve.chord_error(box, last, here, accuracy));
+      arc.error = std::max(arc.error, least);
+      const Place before = crossing.coordinates_of(last);
+      slope = (point->x - before[0]) / (point->y - before[1]);
+    }
     arc.points.push_back(traced);
-    // The next one lies ahead.
-    const std::array<double, 2> here{point->parameters[base] - crossing.origin[0],
-                                     point->parameters[base + 1] - crossing.origin[1]};
-    const double found = cross(here, crossing.along) / area;
-    if (i > 0) slope = (found - x) / (-std::copysign(step, start)) + slope;
-    if (i == 0) slope = found / start;
-    x = found - slope * std::copysign(step, start);
+    last = here;
+    double to_crossing = INFINITY;
+    double unit = INFINITY;
+    for (const CurveCrossing& box : known) {
+      to_crossing = std::min(to_crossing, curve.chord_error(box, here, box.origin, accuracy + radius));
+      unit = std::min(unit, curve.unit_chord_error(box, here));
+    }
+    const double step = std::sqrt(0.7 * tolerance / unit);
+    if (to_crossing < tolerance || !(step < std::fabs(y))) {
+      arc.error = std::max(arc.error, to_crossing);
+      break;
+    }
+    // Not to leave a short one at the end.
+    const double next = std::copysign(std::fabs(y) < 2 * step ? 0.5 * std::fabs(y) : std::fabs(y) - step, y);
+    x = point->x + slope * (next - y);
+    y = next;
   }
   TracedPoint end;
-  end.parameters = crossing.parameters;
-  const std::array<double, 3> there = curve.point_at({crossing.origin[0], crossing.origin[1]});
-  end.point = there;
+  end.parameters = known.back().parameters;
+  end.point = curve.point_at({end.parameters[base], end.parameters[base + 1]});
   arc.points.push_back(end);
-  arc.error = std::max(curve.chord_error(crossing, step, worst),
-                       curve.chord_error(crossing, last, worst + crossing.radius * (1 + crossing.branch_slope)));
   arc.proven = std::isfinite(arc.error);
   return arc;
 }

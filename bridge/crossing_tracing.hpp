@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <eliminant/base/context.hpp>
+#include <eliminant/bridge/branch_subdivision.hpp>
 #include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/contact_curve.hpp>
 
 namespace eliminant::bridge {
 
-/// The branch that crosses a curve of contact, from a point of it to the crossing, in the box of the crossing. The
-/// patches are nearly tangent all along it: points are zeros of a divided difference, known as far as doubles tell both
-/// patches apart, and the distance of chords follows from the second derivative of the branch. `error` may exceed the
-/// tolerance, a distance in space.
+/// The branch that crosses a curve of contact, from a crossing point on the border of its box to the crossing. Its
+/// points are those of the base of the curve. `proven` is false where the branch was lost.
 TracedArc trace_to_crossing(const ContactCurve& curve, const CrossingPoint& from, const CurveCrossing& crossing,
-                            double tolerance);
+                            double tolerance, const Context& context);
 
 }  // namespace eliminant::bridge

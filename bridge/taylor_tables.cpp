@@ -121,6 +121,7 @@ TaylorTable<DoubleInterval> taylor_on(const ControlNet& net, const ContactFrame&
         const auto lane = static_cast<long>(k);
         entry[k] = factor * DoubleInterval::widened(lowest[lane] - error[lane], highest[lane] + error[lane]);
       }
+      if (net.polynomial) entry[weight] = DoubleInterval(i + j == 0 ? 1 : 0);
     }
   }
   return table;

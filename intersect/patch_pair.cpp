@@ -452,7 +452,7 @@ class PatchPair {
     if (arc.contact) return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
-      return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_);
+      return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_, context_);
     }
     const bridge::CrossingPoint& to = graph_.points[arc.to];
     bridge::TracedArc traced = tracer.trace(from, to, arc.box, tolerance_, context_);
