@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -58,8 +59,11 @@ Parameters exchanged(const Parameters& p) { return {p[2], p[3], p[0], p[1]}; }
 
 void exchange(SurfaceComponent& component) {
   for (SurfacePoint& point : component.points) point.parameters = exchanged(point.parameters);
-  for (BranchEnd* end : {&component.start, &component.end})
+  for (BranchEnd* end : {&component.start, &component.end}) {
     end->side = {end->side[2], end->side[3], end->side[0], end->side[1]};
+    std::swap(end->third_side[0], end->third_side[1]);
+  }
+  std::swap(component.along_seam[0], component.along_seam[1]);
 }
 
 void reverse(SurfaceComponent& component) {
@@ -67,12 +71,21 @@ void reverse(SurfaceComponent& component) {
   std::swap(component.start, component.end);
 }
 
+/// Of u, v, s, t, and the third barycentric coordinates of triangles in place of (u, v) and (s, t).
+using Kept = std::array<bool, 6>;
+constexpr std::size_t third = 4;
+
 /// The parameters that keep their value along the whole curve: it lies on a border or a seam there.
-std::array<bool, 4> kept_parameters(const SurfaceComponent& component) {
-  std::array<bool, 4> kept{};
+Kept kept_parameters(const SurfaceComponent& component) {
+  Kept kept{};
   constexpr double rounding = 1e-12;
+  for (std::size_t i = 0; i < 2; ++i)
+    kept[third + i] = component.start.third_side[i] && component.end.third_side[i] &&
+                      std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
+                        return std::fabs(point.parameters[2 * i] + point.parameters[2 * i + 1] - 1) <= rounding;
+                      });
   for (std::size_t k = 0; k < 4; ++k)
-    kept[k] = component.start.side[k] != 0 && component.start.side[k] == component.end.side[k] &&
+    kept[k] = std::abs(component.start.side[k]) == 1 && component.start.side[k] == component.end.side[k] &&
               std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
                 const double value = component.points.front().parameters[k];
                 return std::fabs(point.parameters[k] - value) <= rounding * std::max(1.0, std::fabs(value));
@@ -82,13 +95,17 @@ std::array<bool, 4> kept_parameters(const SurfaceComponent& component) {
 
 /// Forgets the sides that are no borders of the whole domain; true when some were, and none is left. Sides of the
 /// parameters that are kept do not count: the curve does not end there.
-bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds,
-                  const std::array<bool, 4>& kept = {}) {
+bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds, const Kept& kept = {}) {
   bool any = false;
   bool left = false;
+  for (std::size_t i = 0; i < 2; ++i) left = left || (end.third_side[i] && !kept[third + i]);
   for (std::size_t k = 0; k < 4; ++k) {
     if (end.side[k] == 0) continue;
     any = any || !kept[k];
+    if (end.side[k] == seam_in_triangle) {
+      end.side[k] = 0;
+      continue;
+    }
     bool border = false;
     if (bounds[k]) {
       const double bound = (*bounds[k])[end.side[k] < 0 ? 0 : 1];
@@ -162,7 +179,7 @@ class Joining {
       else
         rest_.push_back(std::move(component));
     for (SurfaceComponent& piece : pieces_) {
-      const std::array<bool, 4> kept = kept_parameters(piece);
+      const Kept kept = kept_parameters(piece);
       const Parameters& first = piece.points.front().parameters;
       const Parameters& last = piece.points.back().parameters;
       open_.push_back({piece.start.kind == BranchEndKind::border && is_only_seam(piece.start, first, bounds_, kept),
@@ -190,7 +207,8 @@ class Joining {
     std::vector<bool> removed(all.size(), false);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (all[i].kind != SurfaceComponentKind::point) continue;
-      const bool on_side = all[i].start.side != std::array<int, 4>{};
+      const bool on_side =
+          all[i].start.side != std::array<int, 4>{} || all[i].start.third_side != std::array<bool, 2>{};
       is_only_seam(all[i].start, all[i].points.front().parameters, bounds_);
       for (std::size_t j = 0; j < all.size() && !removed[i]; ++j) {
         if (removed[j] || j == i) continue;
@@ -233,10 +251,12 @@ class Joining {
       constexpr double near = 1e-4;
       if (!(distance_to(a, b.points[b.points.size() / 2].parameters, metric_) < near)) return false;
       // Along one line of the parameters there is one curve from end to end.
-      const std::array<bool, 4> of_a = kept_parameters(a);
-      const std::array<bool, 4> of_b = kept_parameters(b);
-      for (std::size_t k = 0; k < 4; ++k)
+      const Kept of_a = kept_parameters(a);
+      const Kept of_b = kept_parameters(b);
+      for (std::size_t k = 0; k < of_a.size(); ++k)
         if (of_a[k] && of_b[k]) return true;
+      for (std::size_t i = 0; i < 2; ++i)
+        if (a.along_seam[i] && b.along_seam[i]) return true;
       return false;
     };
     std::vector<SurfaceComponent>& all = result_.components;

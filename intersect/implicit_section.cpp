@@ -43,6 +43,8 @@ bool is_same(const SurfacePoint& a, const SurfacePoint& b) {
 
 SideRoles roles_of(const ProjectiveChart& chart, const ParametricSurface& surface) {
   SideRoles roles{};
+  // Each line inside a triangle is a side u = 1 of one part and a side v = 1 of another.
+  if (chart.corner) return {{{SideRole::border, SideRole::seam}, {SideRole::border, SideRole::other_seam}}};
   const bool whole = !surface.pieces.front().region;
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t side = 0; side < 2; ++side) {
@@ -191,7 +193,11 @@ void exchange_surfaces(SurfaceResult& result) {
   };
   for (SurfaceComponent& component : result.components) {
     for (SurfacePoint& point : component.points) exchange(point.parameters);
-    for (BranchEnd* end : {&component.start, &component.end}) exchange(end->side);
+    for (BranchEnd* end : {&component.start, &component.end}) {
+      exchange(end->side);
+      std::swap(end->third_side[0], end->third_side[1]);
+    }
+    std::swap(component.along_seam[0], component.along_seam[1]);
   }
   for (SurfaceSingularPoint& point : result.singular_points) exchange(point.at.parameters);
 }

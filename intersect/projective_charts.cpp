@@ -54,8 +54,13 @@ std::vector<Side> sides_of(std::size_t parameter) {
 std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface& surface, std::size_t which) {
   std::vector<ProjectiveChart> charts;
   for (const SurfacePiece& piece : surface.pieces) {
+    if (piece.region && piece.region->triangle) {
+      for (TriangleChart& part : triangle_charts(piece, which))
+        charts.push_back({std::move(part.piece), {}, part.corner});
+      continue;
+    }
     if (piece.region) {
-      charts.push_back({piece, {}});
+      charts.push_back({piece, {}, {}});
       continue;
     }
     const std::vector<Side> sides_u = sides_of(2 * which);
@@ -69,13 +74,16 @@ std::vector<ProjectiveChart> projective_charts(const symbolic::ParametricSurface
         }
         charts.push_back({{RationalSurface(RationalSurface::Kind::tensor_product, std::move(coordinates)),
                            symbolic::ParameterRegion{{u.interval, v.interval}, false}},
-                          {u.inverted, v.inverted}});
+                          {u.inverted, v.inverted},
+                          {}});
       }
   }
   return charts;
 }
 
 void to_surface_parameters(SurfaceResult& result, const ProjectiveChart& first, const ProjectiveChart& second) {
+  for (std::size_t index = 0; index < 2; ++index)
+    if (const auto& corner = (index == 0 ? first : second).corner) to_triangle_parameters(result, *corner, index);
   const auto map_back = [&](SurfacePoint& point) {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!(k < 2 ? first : second).inverted[k % 2]) continue;

@@ -16,8 +16,9 @@ namespace eliminant::intersect {
 
 /// A point of the intersection of two surfaces, or a double point of one, in doubles.
 struct SurfacePoint {
-  /// (u, v) on the first surface, (s, t) on the second; of one surface both pairs are on it. +inf is the parameter at
-  /// infinity, NaN one that is not known (a border that is one point).
+  /// (u, v) on the first surface, (s, t) on the second; of one surface both pairs are on it. Of a triangle they are the
+  /// first two barycentric coordinates. +inf is the parameter at infinity, NaN one that is not known (a border that is
+  /// one point).
   std::array<double, 4> parameters{};
   /// Affine coordinates.
   std::array<double, 3> point{};
@@ -38,14 +39,20 @@ enum class BranchEndKind {
 };
 
 /// How a border, followed by its increasing parameter, crosses the other surface: to the side to which the normal of
-/// that points (its first times its second partial derivative), to the other side, or neither is known.
+/// that points (its first times its second partial derivative), to the other side, or neither is known. The third
+/// border of a triangle is followed by increasing v (t).
 enum class Transition { out, in, touching };
+
+/// In BranchEnd::side, until branches are joined: an end on a line on which parts of a triangle meet.
+inline constexpr int seam_in_triangle = 2;
 
 /// Where a curve begins or ends.
 struct BranchEnd {
   BranchEndKind kind = BranchEndKind::border;
   /// Of a border, for each of u, v, s, t: -1 at its lower bound, 1 at its upper one, 0 inside.
   std::array<int, 4> side{};
+  /// Of the first and of the second surface, where they are triangles: on the border u + v = 1 (s + t = 1).
+  std::array<bool, 2> third_side{};
   Transition transition = Transition::touching;
   /// Of a singular point.
   std::optional<std::size_t> singular_point;
@@ -74,6 +81,9 @@ struct SurfaceComponent {
   bool tangential = false;
   /// Of a self-intersection: exchanging both preimages maps the curve to itself.
   bool mirrored = false;
+  /// Of the first and of the second surface: it runs along a line on which parts of a triangle meet, so that it is
+  /// found in both.
+  std::array<bool, 2> along_seam{};
   /// Bounds the distance in space of every point of the polyline from the true curve and the other way round.
   double error = 0;
   std::optional<BranchSpline> spline;

@@ -24,11 +24,8 @@ using symbolic::ParametricSurface;
 using symbolic::RationalSurface;
 using symbolic::SurfacePiece;
 
-void require_tensor_product(const ParametricSurface& surface) {
-  if (std::any_of(surface.pieces.begin(), surface.pieces.end(),
-                  [](const SurfacePiece& piece) { return piece.map.kind() == RationalSurface::Kind::triangular; }))
-    throw InvalidInput("a surface of three homogeneous parameters cannot be intersected with a surface yet",
-                       "two parameters");
+bool is_triangular(const ParametricSurface& surface) {
+  return surface.pieces.front().map.kind() == RationalSurface::Kind::triangular;
 }
 
 bool is_whole(const ParametricSurface& surface) { return !surface.pieces.front().region; }
@@ -122,7 +119,10 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
   if (first == nullptr && second == nullptr)
     throw InvalidInput("both surfaces are given by equations", "at least one surface with parameters");
   for (const ParametricSurface* surface : {first, second})
-    if (surface != nullptr) require_tensor_product(*surface);
+    if (surface != nullptr && is_triangular(*surface) && is_whole(*surface))
+      throw InvalidInput(
+          "a surface of three homogeneous parameters without a domain cannot be intersected with a surface yet",
+          "\"domain\": \"triangle\", or two parameters");
   const Options tracing = tracing_options(options);
   SurfaceResult result = first == nullptr || second == nullptr   ? intersect_with_equation(problem, tracing, context)
                          : is_whole(*first) && is_whole(*second) ? intersect_whole(*first, *second, tracing, context)
@@ -135,7 +135,9 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
 SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem& problem, const Options& options,
                                             const Context& context) {
   const auto& pieces = problem.surface.pieces;
-  require_tensor_product(problem.surface);
+  if (is_triangular(problem.surface))
+    throw InvalidInput("the self-intersection of a surface of three homogeneous parameters is not computed yet",
+                       "two parameters");
   const Options tracing = tracing_options(options);
   if (pieces.size() != 1)
     throw InvalidInput("the self-intersection of a surface of several pieces is not computed yet", "one patch");

@@ -140,8 +140,10 @@ const char* word_for(DeterminantVanishing vanishing) {
 
 std::vector<std::string> border_words(const intersect::BranchEnd& end) {
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < parameter_names.size(); ++i)
+  for (std::size_t i = 0; i < parameter_names.size(); ++i) {
     if (end.side[i] != 0) words.push_back(std::string(parameter_names[i]) + (end.side[i] < 0 ? "=lower" : "=upper"));
+    if (i % 2 == 1 && end.third_side[i / 2]) words.emplace_back(i == 1 ? "u+v=upper" : "s+t=upper");
+  }
   return words;
 }
 

@@ -158,8 +158,9 @@ TEST_CASE("Two equations, three homogeneous parameters and several pieces with t
   const std::vector<std::string> names{"x", "y", "z"};
   const symbolic::Polynomial sphere = symbolic::parse_polynomial("x^2 + y^2 + z^2 - 1", names);
   CHECK_THROWS_AS(intersect_surface_surface({sphere, sphere}, {}, context), InvalidInput);
-  const ParametricSurface triangle{{symbolic::bezier_triangle(1, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}})}};
-  CHECK_THROWS_AS(intersect_surface_surface({half_cylinder(), triangle}, {}, context), InvalidInput);
+  ParametricSurface projective{{symbolic::bezier_triangle(1, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}})}};
+  projective.pieces.front().region.reset();
+  CHECK_THROWS_AS(intersect_surface_surface({half_cylinder(), projective}, {}, context), InvalidInput);
   CHECK_THROWS_AS(intersect_surface_with_itself({half_cylinder()}, {}, context), InvalidInput);
   CHECK_THROWS_AS(intersect_surface_surface({bounded({"u", "u", "u"}), half_cylinder()}, {}, context), InvalidInput);
 }
