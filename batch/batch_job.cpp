@@ -35,15 +35,16 @@ void BatchJob::skip_kept() {
       poll(&entry, 1, -1);
       continue;
     }
-    hash_.add(line->text);
+    hash_.add(line->line, line->text);
     output_.check_kept(++first_, hash_.value());
   }
+  output_.drop_torn();
 }
 
 bool BatchJob::is_full() const { return slots_.size() >= window_.problems || bytes_ >= window_.bytes; }
 
 void BatchJob::add_slot(LineReader::Line line) {
-  hash_.add(line.text);
+  hash_.add(line.line, line.text);
   bytes_ += line.text.size();
   slots_.push_back({{first_ + slots_.size(), line.line, std::move(line.text)}, hash_.value(), {}});
 }

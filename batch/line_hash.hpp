@@ -6,10 +6,13 @@
 
 namespace eliminant::batch {
 
-/// A number that stands for all lines added so far and their order: FNV-1a of 64 bits. It finds mistakes, not malice.
+/// A number that stands for all lines added so far, their order and where they stand: FNV-1a of 64 bits. It finds
+/// mistakes, not malice.
 class LineHash {
  public:
-  void add(std::string_view line) {
+  /// `number` is that of the line in its file: results of lines that are no problems hold it.
+  void add(std::uint64_t number, std::string_view line) {
+    for (int byte = 0; byte < 8; ++byte) add_byte(static_cast<unsigned char>(number >> (8 * byte)));
     for (const char c : line) add_byte(static_cast<unsigned char>(c));
     add_byte('\n');
   }

@@ -21,7 +21,7 @@ namespace eliminant::batch {
 
 namespace {
 
-constexpr const char* state_heading = "eliminant batch state 1\n";
+constexpr const char* state_heading = "eliminant batch state 2\n";
 // Seconds between two notes of the state.
 constexpr double note_interval = 0.1;
 
@@ -109,8 +109,17 @@ void ResultFile::keep_results(const std::string& description) {
     throw InvalidInput(name_ + " cannot be continued: there is no '" + state_name_ + "' that says what it belongs to",
                        "the output of an earlier run of batch, or none");
   read_state(description);
-  const std::uint64_t size = count_results();
-  if (ftruncate(file_, static_cast<off_t>(size)) != 0 || lseek(file_, 0, SEEK_END) < 0) fail(name_);
+  whole_size_ = count_results();
+}
+
+void ResultFile::drop_torn() {
+  if (!whole_size_) return;
+  const auto cut = [&](int file, const std::string& name, std::uint64_t size) {
+    if (ftruncate(file, static_cast<off_t>(size)) != 0 || lseek(file, 0, SEEK_END) < 0) fail(name);
+  };
+  cut(file_, name_, *whole_size_);
+  cut(state_, "'" + state_name_ + "'", whole_state_size_);
+  whole_size_.reset();
 }
 
 // Counts the results that are whole, and returns where the last of them ends.
@@ -151,14 +160,13 @@ void ResultFile::read_state(const std::string& description) {
   if (described != description)
     throw InvalidInput(name_ + " belongs to another run: that was " + described + ", this is " + description,
                        "the same options, or another output");
-  std::size_t size = line.size() + described.size() + 2;
+  whole_state_size_ = line.size() + described.size() + 2;
   while (std::getline(lines, line) && !lines.eof()) {
     const auto note = parse_note(line);
     if (!note) break;
     noted_.insert(*note);
-    size += line.size() + 1;
+    whole_state_size_ += line.size() + 1;
   }
-  if (ftruncate(state_, static_cast<off_t>(size)) != 0 || lseek(state_, 0, SEEK_END) < 0) fail("'" + state_name_ + "'");
 }
 
 void ResultFile::begin_state(const std::string& description) {

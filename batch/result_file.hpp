@@ -15,7 +15,7 @@ namespace eliminant::batch {
 class ResultFile {
  public:
   /// Opens `path`, standard input's counterpart for nullopt. A regular file is locked while this object lives. With
-  /// `resume` the finished results stay, and a torn one goes; else the file is emptied. `description` says what the
+  /// `resume` nothing is changed before drop_torn(); else the file is emptied. `description` says what the
   /// results depend on beside the lines. Throws io::OutputError when the file cannot be written or another run has it,
   /// and InvalidInput when it cannot be resumed: it is no regular file, has no state, or belongs to other options.
   ResultFile(std::optional<std::string> path, bool resume, const std::string& description);
@@ -31,6 +31,10 @@ class ResultFile {
   void check_kept(std::uint64_t number, std::uint64_t hash) const;
   /// Throws InvalidInput: there are fewer lines than kept results.
   [[noreturn]] void refuse_kept(std::uint64_t lines) const;
+
+  /// Removes the torn end of a file that is continued. To be called once it is known that the kept results belong to
+  /// the lines, and before append(). Throws io::OutputError.
+  void drop_torn();
 
   /// Writes results, each with its line's end; with them there are `number`, of lines with this hash. Throws
   /// io::OutputError.
@@ -52,6 +56,9 @@ class ResultFile {
   std::string state_name_;
   int file_ = -1;
   int state_ = -1;
+  // What is whole of a file that is continued, and of its state.
+  std::optional<std::uint64_t> whole_size_;
+  std::uint64_t whole_state_size_ = 0;
   std::uint64_t kept_ = 0;
   std::uint64_t kept_incomplete_ = 0;
   std::map<std::uint64_t, std::uint64_t> noted_;

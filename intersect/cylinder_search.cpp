@@ -8,6 +8,7 @@
 #include <string>
 
 #include <eliminant/base/parallel_tasks.hpp>
+#include <eliminant/numeric/cylinder_judgement.hpp>
 
 namespace eliminant::intersect {
 
@@ -90,7 +91,7 @@ std::vector<CylinderSegment> CylinderSearch::grow(const std::vector<CylinderVote
     const CylinderHypothesis& best = votes[i].best;
     CylinderSegment segment =
         numeric::grow_cylinder(left_, best.cylinder, left_[best.seed], best.ball_radius, settings_.criteria);
-    if (numeric::judge_segment(left_, segment, settings_.criteria) == numeric::SegmentVerdict::cylinder)
+    if (numeric::judge_segment(left_, points_, segment, settings_.criteria) == numeric::SegmentVerdict::cylinder)
       grown[i] = std::move(segment);
   });
   candidates_ += votes.size();

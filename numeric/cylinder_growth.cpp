@@ -1,54 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/numeric/cylinder_growth.hpp>
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <tuple>
 #include <utility>
+
+#include <eliminant/numeric/cylinder_layer.hpp>
 
 namespace eliminant::numeric {
 
 namespace {
-
-struct NearPoint {
-  std::uint32_t index;
-  double height;
-  bool on;  ///< within the distance of the cylinder, or else only within three times the distance
-};
-
-// Points within three times `distance` of the cylinder, between two heights.
-std::vector<NearPoint> points_near(std::span<const Point> points, const CylinderFrame& frame, double lowest,
-                                   double highest, double distance) {
-  std::vector<NearPoint> found;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [height, residual] = frame.at(points[i]);
-    if (height >= lowest && height <= highest && std::abs(residual) <= 3 * distance)
-      found.push_back({static_cast<std::uint32_t>(i), height, std::abs(residual) <= distance});
-  }
-  return found;
-}
-
-// A surface that leaves the layer of points within the distance on both sides has sqrt(3) - 1 = 0.73 times as many
-// beside it, up to three distances away; noise of which the distance is one standard deviation has 0.46 times as many.
-constexpr double most_beside = 0.6;
-
-bool ends_in_layer(std::size_t on, std::size_t beside) {
-  return static_cast<double>(beside) <= most_beside * static_cast<double>(on);
-}
-
-// The mean of the counts, each weighted by itself: what the counts are where most of the points are.
-double usual_count(std::span<const std::size_t> counts) {
-  double sum = 0;
-  double squares = 0;
-  for (const std::size_t count : counts) {
-    const auto number = static_cast<double>(count);
-    sum += number;
-    squares += number * number;
-  }
-  return sum > 0 ? squares / sum : 0;
-}
 
 // Heights cut into bins of equal width.
 class HeightBins {
@@ -217,106 +179,11 @@ class Growth {
   std::vector<NearPoint> run_;
 };
 
-constexpr std::size_t sectors = 32;
-constexpr double least_covered = 0.25;
-// Straight pipes gain less than a hundredth in generated scenes, pieces of elbows a fifth or more.
-constexpr double largest_gain_by_bending = 1.1;
-// In radii. A torus whose axis has the radius 3 r is within the distance of a cylinder over sqrt(36 r d).
-constexpr double least_length = 1.5;
-
-bool is_covered(std::span<const Point> points, const CylinderSegment& segment) {
-  const CylinderFrame frame(segment.cylinder);
-  std::array<std::size_t, sectors> counts{};
-  for (const std::uint32_t i : segment.inliers) {
-    const double turn = (frame.angle(points[i]) / std::numbers::pi + 1) / 2;
-    ++counts[std::min(sectors - 1, static_cast<std::size_t>(turn * sectors))];
-  }
-  const double usual = usual_count(counts);
-  const auto covered =
-      std::count_if(counts.begin(), counts.end(), [&](std::size_t n) { return static_cast<double>(n) >= usual / 4; });
-  return static_cast<double>(covered) >= least_covered * sectors;
-}
-
-// The residuals near a segment as a combination of {1, h, h^2} x {1, cos, sin}, h from -1 to 1 along the segment: a
-// tilted cone, sphere or torus to second order.
-class BentSurface {
- public:
-  using Shape = Eigen::Matrix<double, 9, 1>;
-
-  BentSurface(std::span<const Point> points, const CylinderSegment& segment, double beyond) {
-    const CylinderFrame frame(segment.cylinder);
-    const double middle = (segment.lowest + segment.highest) / 2;
-    for (const NearPoint& near :
-         points_near(points, frame, segment.lowest - beyond, segment.highest + beyond, layers * segment.reach / 3)) {
-      const Point& point = points[near.index];
-      const double h = 2 * (near.height - middle) / segment.length();
-      const double angle = frame.angle(point);
-      const Eigen::Vector3d around(1, std::cos(angle), std::sin(angle));
-      Shape row;
-      row << around, h * around, h * h * around;
-      rows_.push_back(row);
-      residuals_.push_back(frame.at(point).residual);
-    }
-  }
-
-  // Fitted to the points within `reach` of what `shape` says.
-  Shape refit(const Shape& shape, double reach) const {
-    Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
-    Shape right = Shape::Zero();
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (std::abs(residuals_[i] - rows_[i].dot(shape)) > reach) continue;
-      normal += rows_[i] * rows_[i].transpose();
-      right += residuals_[i] * rows_[i];
-    }
-    return normal.ldlt().solve(right);
-  }
-
-  std::size_t count_on(const Shape& shape, double reach) const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      count += std::abs(residuals_[i] - rows_[i].dot(shape)) <= reach ? 1 : 0;
-    return count;
-  }
-
- private:
-  static constexpr double layers = 8;
-  std::vector<Shape> rows_;
-  std::vector<double> residuals_;
-};
-
-// Whether no bent surface has many more points than the cylinder on and shortly beyond the segment.
-bool is_straight(std::span<const Point> points, const CylinderSegment& segment) {
-  const BentSurface surface(points, segment, std::min(segment.cylinder.radius, segment.length() / 4));
-  BentSurface::Shape shape = BentSurface::Shape::Zero();
-  const std::size_t straight = surface.count_on(shape, segment.reach);
-  for (int i = 0; i < 5; ++i) shape = surface.refit(shape, 2 * segment.reach);
-  const std::size_t bent = surface.count_on(shape, segment.reach);
-  return static_cast<double>(bent) <= largest_gain_by_bending * static_cast<double>(straight);
-}
-
-bool ends_at_its_sides(std::span<const Point> points, const CylinderSegment& segment) {
-  const CylinderFrame frame(segment.cylinder);
-  const std::size_t near = points_near(points, frame, segment.lowest, segment.highest, segment.reach).size();
-  return ends_in_layer(segment.inliers.size(), near - segment.inliers.size());
-}
-
 }  // namespace
 
 CylinderSegment grow_cylinder(std::span<const Point> points, const Cylinder& start, const Point& seed,
                               double half_length, const CylinderCriteria& criteria) {
   return Growth(points, start, seed, half_length, criteria).grow();
-}
-
-SegmentVerdict judge_segment(std::span<const Point> points, const CylinderSegment& segment,
-                             const CylinderCriteria& criteria) {
-  const double radius = segment.cylinder.radius;
-  if (segment.inliers.size() < criteria.min_inliers) return SegmentVerdict::few_points;
-  if (radius < criteria.min_radius || radius > criteria.max_radius) return SegmentVerdict::radius;
-  if (segment.length() < least_length * radius) return SegmentVerdict::too_short;
-  if (!is_covered(points, segment)) return SegmentVerdict::narrow;
-  if (!is_straight(points, segment)) return SegmentVerdict::curved;
-  if (!ends_at_its_sides(points, segment)) return SegmentVerdict::beside;
-  return SegmentVerdict::cylinder;
 }
 
 }  // namespace eliminant::numeric

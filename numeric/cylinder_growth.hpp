@@ -25,24 +25,9 @@ struct CylinderSegment {
   double length() const { return highest - lowest; }
 };
 
-/// Why a segment is no cylinder.
-enum class SegmentVerdict {
-  cylinder,
-  few_points,  ///< fewer than asked for
-  narrow,      ///< seen over less than a quarter of its circumference
-  too_short,   ///< shorter than 1.5 radii
-  curved,      ///< more points are on a surface whose axis bends or whose radius changes: torus, sphere, cone
-  beside,      ///< the surface goes on beside the cylinder: plane
-  radius,      ///< outside the range asked for
-};
-
 /// The connected part of the cloud along the axis of `start` that contains the height of `seed`, the cylinder fitted
 /// again and again to what has been found while it grows. A gap longer than the radius ends it.
 CylinderSegment grow_cylinder(std::span<const Point> points, const Cylinder& start, const Point& seed,
                               double half_length, const CylinderCriteria& criteria);
-
-/// Whether the segment is a cylinder, by its own points and those around it; the first reason that applies if not.
-SegmentVerdict judge_segment(std::span<const Point> points, const CylinderSegment& segment,
-                             const CylinderCriteria& criteria);
 
 }  // namespace eliminant::numeric

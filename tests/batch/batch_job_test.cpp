@@ -150,6 +150,8 @@ TEST_CASE("batch job: an output of something else is not continued, and stays as
   };
   refuse("a\nb\nc\n", "other options");
   refuse("x\nb\nc\n", "d");
+  // The number of a line is part of the result of one that is no problem.
+  refuse("\na\nb\nc\n", "d");
   refuse("a\n", "d");
   folder.write("out.state", "something\n");
   refuse("a\nb\nc\n", "d");
@@ -158,6 +160,38 @@ TEST_CASE("batch job: an output of something else is not continued, and stays as
   // Without a result there is nothing that could belong to something else.
   folder.write("out", "");
   CHECK(solve(input, folder.file("out"), true) == 0);
+  CHECK(folder.read("out") == "{a}\n{b}\n{c}\n");
+}
+
+TEST_CASE("batch job: a blank line that came or went before the kept results is noticed, one after them is none") {
+  const TemporaryFolder folder;
+  solve(folder.write("in", "a\n\nb\nc\n"), folder.file("out"), false);
+  const std::string whole = folder.read("out");
+  for (const char* changed : {"a\nb\nc\n", "\na\n\nb\nc\n", "a\n\n\nb\nc\n", "a\nb\n\nc\n"}) {
+    CAPTURE(changed);
+    CHECK_THROWS_AS(solve(folder.write("in", changed), folder.file("out"), true), InvalidInput);
+    CHECK(folder.read("out") == whole);
+  }
+  CHECK(solve(folder.write("in", "a\n\nb\nc\n\n\nd\n"), folder.file("out"), true) == 3);
+  CHECK(folder.read("out") == whole + "{d}\n");
+}
+
+TEST_CASE("batch job: what is refused keeps its torn last line, and its state") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("in", "a\nb\nc\n");
+  solve(input, folder.file("out"), false);
+  folder.write("out", "{a}\n{b");
+  const std::string torn_state = folder.read("out.state") + "4 0123";
+  folder.write("out.state", torn_state);
+  const auto refuse = [&](const std::string& problems, const std::string& description) {
+    CHECK_THROWS_AS(solve(folder.write("other", problems), folder.file("out"), true, 1000, description), InvalidInput);
+    CHECK(folder.read("out") == "{a}\n{b");
+    CHECK(folder.read("out.state") == torn_state);
+  };
+  refuse("x\nb\nc\n", "d");
+  refuse("\n", "d");
+  refuse("a\nb\nc\n", "other options");
+  CHECK(solve(input, folder.file("out"), true) == 1);
   CHECK(folder.read("out") == "{a}\n{b}\n{c}\n");
 }
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <support/pipe_scenes.hpp>
+#include <support/surface_scenes.hpp>
 
 using namespace eliminant;
 using namespace eliminant::intersect;
@@ -27,11 +28,15 @@ CylinderExtractionResult extract(const PipeScene& scene, unsigned threads = 1, s
   return extract_cylinders(problem, options, Context());
 }
 
-SceneScore score_of(const PipeScene& scene, const CylinderExtractionResult& result) {
+std::vector<ScenePipe> pipes_of(const CylinderExtractionResult& result) {
   std::vector<ScenePipe> found;
   for (const ExtractedCylinder& cylinder : result.cylinders)
     found.push_back({cylinder.direction, cylinder.axis_point, cylinder.radius, cylinder.length});
-  return score(scene, found);
+  return found;
+}
+
+SceneScore score_of(const PipeScene& scene, const CylinderExtractionResult& result) {
+  return score(scene, pipes_of(result));
 }
 
 SceneRecipe small_scene(std::size_t pipes, std::uint64_t seed) {
@@ -257,6 +262,28 @@ TEST_CASE("extract_cylinders: a cancelled search gives what it has, marked incom
   CHECK(result.limit->find("cancelled") == 0);
   CHECK(result.counts.samples == 4096);
   CHECK(score_of(scene, result).right == 2);
+}
+
+TEST_CASE("Decoy scenes: no cylinder along edges of planes, in elliptic cylinders and corrugated sheets") {
+  std::vector<PipeScene> scenes = decoy_scenes();
+  REQUIRE(scenes.size() == 9);
+  if (std::getenv("ELIMINANT_ALL_FAMILIES") == nullptr) scenes = {scenes[0], scenes[5]};
+  for (const PipeScene& scene : scenes) {
+    CAPTURE(scene.recipe.name);
+    CHECK(extract(scene, 2).cylinders.empty());
+  }
+}
+
+TEST_CASE("Touching scenes: pipes on floors, in corners, at junctions, seen in part and slightly elliptic are found") {
+  std::vector<PipeScene> scenes = touching_scenes();
+  REQUIRE(scenes.size() == 8);
+  if (std::getenv("ELIMINANT_ALL_FAMILIES") == nullptr) scenes.resize(4);
+  for (const PipeScene& scene : scenes) {
+    const SceneScore found = score(scene, pipes_of(extract(scene, 2)), false);
+    CAPTURE(scene.recipe.name);
+    CHECK(found.right == scene.pipes.size());
+    CHECK(found.found == scene.pipes.size());
+  }
 }
 
 TEST_CASE("Pipe scenes: every pipe of the acceptance scenes with recall and precision of 0.95") {

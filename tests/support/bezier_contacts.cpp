@@ -130,7 +130,7 @@ bool has_positive_weights(const RationalPolygon& polygon) {
 Contact contact_at_dyadic(Drawing drawing, unsigned long order, Place place) {
   for (;;) {
     const RationalNet net = drawing.net(3, 3);
-    const Map patch = patch_map(net);
+    const Map patch = homogeneous_map(net);
     const Rational t0 = place == Place::end ? Rational(drawing.random.between(0, 1)) : eighth(drawing.random);
     const Rational u0 = place == Place::border ? Rational(drawing.random.between(0, 1)) : eighth(drawing.random);
     const Rational v0 = eighth(drawing.random);
@@ -145,7 +145,7 @@ Contact contact_at_dyadic(Drawing drawing, unsigned long order, Place place) {
 
 Contact contact_at_root(Drawing drawing, const Quadratic& q, unsigned long order) {
   const RationalNet net = drawing.net(3, 3);
-  const Map patch = patch_map(net);
+  const Map patch = homogeneous_map(net);
   const std::vector<Polynomial> path{line_inside(drawing.random, q.root()), line_inside(drawing.random, q.root())};
   const Map curve = remainder(composed(patch, path), power(q.polynomial(), order));
   return {control_polygon(curve, 2 * order - 1), net,
@@ -176,8 +176,8 @@ Contact flat_contact_at_root(Drawing drawing, const Quadratic& q) {
   }
   const Map patch{Polynomial::variable(2, 0), Polynomial::variable(2, 1), f, Polynomial::constant(2, 1)};
   const Map curve{t, y, in_t(g), Polynomial::constant(1, 1)};
-  return {control_polygon(curve, 3), control_net(patch, 3, 3), near_normal(patch, q.root(), approximate(y, q.root())),
-          q.planted(3)};
+  return {control_polygon(curve, 3), control_net({patch[0], patch[1], patch[2], patch[3]}, 3, 3),
+          near_normal(patch, q.root(), approximate(y, q.root())), q.planted(3)};
 }
 
 Contact plane_contact_at_dyadic(Drawing drawing, unsigned long order, unsigned long degree) {

@@ -72,7 +72,7 @@ void add_borders(Collection& all) {
     Drawing drawing{random, 256, false, false};
     const RationalNet net = drawing.net(3, 3);
     const Rational t0 = on_curve(random);
-    const RationalPolygon curve = moved_through(drawing.polygon(3), t0, values(patch_map(net), on_patch(random)));
+    const RationalPolygon curve = moved_through(drawing.polygon(3), t0, values(homogeneous_map(net), on_patch(random)));
     BezierCase result = binary_case({}, curve, net);
     result.planted.push_back(planted_at(t0, 1));
     return result;
@@ -100,7 +100,7 @@ void add_contained(Collection& all) {
                         bool leaves) {
     Drawing drawing{random, 64, rational, false};
     const RationalNet net = drawing.net(3, 3);
-    BezierCase result = binary_case({}, control_polygon(composed(patch_map(net), path), degree), net);
+    BezierCase result = binary_case({}, control_polygon(composed(homogeneous_map(net), path), degree), net);
     result.overlap = leaves ? std::array{0.25, 0.75} : std::array{0.0, 1.0};
     return result;
   };

@@ -65,43 +65,9 @@ RationalPolygon control_polygon(const Map& map, std::size_t degree) {
   return points;
 }
 
-Map patch_map(const RationalNet& net) {
-  Map result;
-  for (std::size_t k = 0; k < coordinates; ++k) {
-    Polynomial sum(2);
-    std::vector<std::vector<Rational>> rows;
-    for (const RationalPolygon& row : net) {
-      std::vector<Rational> bernstein;
-      for (const ControlPoint& point : row) bernstein.push_back(point[k]);
-      rows.push_back(symbolic::power_coefficients(bernstein, unit));
-    }
-    std::vector<Polynomial::Term> terms;
-    for (std::size_t j = 0; j < rows.front().size(); ++j) {
-      std::vector<Rational> column;
-      for (const auto& row : rows) column.push_back(row[j]);
-      const auto power = symbolic::power_coefficients(column, unit);
-      for (std::size_t i = 0; i < power.size(); ++i) terms.push_back({power[i], {i, j}});
-    }
-    result.push_back(Polynomial::from_terms(2, terms));
-  }
-  return result;
-}
-
-RationalNet control_net(const Map& map, std::size_t m, std::size_t n) {
-  RationalNet net(m + 1, RationalPolygon(n + 1, ControlPoint(coordinates)));
-  for (std::size_t k = 0; k < coordinates; ++k) {
-    std::vector<std::vector<Rational>> power(m + 1, std::vector<Rational>(n + 1));
-    for (const Polynomial::Term& term : map[k].terms())
-      power.at(term.exponents[0]).at(term.exponents[1]) = term.coefficient;
-    for (auto& row : power) row = symbolic::bernstein_coefficients(row, unit);
-    for (std::size_t j = 0; j <= n; ++j) {
-      std::vector<Rational> column;
-      for (const auto& row : power) column.push_back(row[j]);
-      const auto bernstein = symbolic::bernstein_coefficients(column, unit);
-      for (std::size_t i = 0; i <= m; ++i) net[i][j][k] = bernstein[i];
-    }
-  }
-  return net;
+Map homogeneous_map(const RationalNet& net) {
+  const PatchMap map = patch_map(net);
+  return {map.begin(), map.end()};
 }
 
 namespace {
@@ -126,18 +92,6 @@ bool has_unit_weights(const RationalNet& net) {
   return std::all_of(net.begin(), net.end(), [](const RationalPolygon& row) {
     return std::all_of(row.begin(), row.end(), [](const ControlPoint& point) { return point.back() == Rational(1); });
   });
-}
-
-ControlNet in_doubles(const RationalNet& net) {
-  ControlNet result;
-  for (const RationalPolygon& row : net) {
-    result.emplace_back();
-    for (const ControlPoint& point : row) {
-      HomogeneousPoint& converted = result.back().emplace_back();
-      std::transform(point.begin(), point.end(), converted.begin(), exact_double);
-    }
-  }
-  return result;
 }
 
 }  // namespace

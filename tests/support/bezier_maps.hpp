@@ -8,6 +8,7 @@
 #include <eliminant/symbolic/geometry/bezier.hpp>
 #include <support/bezier_case.hpp>
 #include <support/curves.hpp>
+#include <support/patch_nets.hpp>
 
 /// Bezier curves and patches as exact maps, and from these to doubles.
 namespace eliminant::test {
@@ -15,7 +16,6 @@ namespace eliminant::test {
 using symbolic::ControlPoint;
 
 using RationalPolygon = std::vector<ControlPoint>;
-using RationalNet = std::vector<RationalPolygon>;
 /// Homogeneous coordinates, the weight last: polynomials in t, or in the two parameters of a patch.
 using Map = std::vector<Polynomial>;
 
@@ -42,10 +42,7 @@ Map curve_map(const RationalPolygon& points);
 
 RationalPolygon control_polygon(const Map& map, std::size_t degree);
 
-/// Columns first, then rows.
-Map patch_map(const RationalNet& net);
-
-RationalNet control_net(const Map& map, std::size_t m, std::size_t n);
+Map homogeneous_map(const RationalNet& net);
 
 /// A case of these two objects. Odd denominators are multiplied away: together from the coordinates where all weights
 /// are 1, else from the homogeneous coordinates of each.
