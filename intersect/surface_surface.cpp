@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <eliminant/intersect/branch_spline.hpp>
 #include <eliminant/intersect/equal_surfaces.hpp>
 #include <eliminant/intersect/implicit_section.hpp>
+#include <eliminant/intersect/one_sign_parts.hpp>
 #include <eliminant/intersect/overlap_borders.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
 #include <eliminant/intersect/projective_charts.hpp>
@@ -30,13 +32,37 @@ bool is_triangular(const ParametricSurface& surface) {
 
 bool is_whole(const ParametricSurface& surface) { return !surface.pieces.front().region; }
 
+void add_warning(SurfaceResult& result, const std::string& warning) {
+  if (std::find(result.warnings.begin(), result.warnings.end(), warning) == result.warnings.end())
+    result.warnings.push_back(warning);
+}
+
+/// The charts of a surface, those of bounded ones cut so that each has weights of one sign.
+std::vector<ProjectiveChart> charts_to_intersect(const ParametricSurface& surface, std::size_t which,
+                                                 SurfaceResult& result) {
+  std::vector<ProjectiveChart> charts = projective_charts(surface, which);
+  if (is_whole(surface)) return charts;
+  std::vector<ProjectiveChart> all;
+  for (const ProjectiveChart& chart : charts) {
+    OneSignParts cut = one_sign_parts(chart.piece, which);
+    const std::string name = which == 0 ? "the first surface" : "the second surface";
+    if (cut.signs == WeightSigns::both)
+      add_warning(result, "the weight of " + name + " is zero within its domain, where it goes to infinity");
+    if (cut.signs == WeightSigns::undecided)
+      add_warning(result, "the weight of " + name + " comes near to zero: it was not shown to have one sign");
+    for (symbolic::SurfacePiece& part : cut.parts) all.push_back({std::move(part), chart.inverted, chart.corner});
+  }
+  return all;
+}
+
 /// Every part of the first with every part of the second.
 SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricSurface& second, const Options& options,
                                const Context& context) {
   SurfaceResult result;
   result.status = Status::certified;
-  const std::vector<ProjectiveChart> others = projective_charts(second, 1);
-  for (const ProjectiveChart& a : projective_charts(first, 0))
+  const std::vector<ProjectiveChart> charts = charts_to_intersect(first, 0, result);
+  const std::vector<ProjectiveChart> others = charts_to_intersect(second, 1, result);
+  for (const ProjectiveChart& a : charts)
     for (const ProjectiveChart& b : others) {
       if (result.limit) break;
       SurfaceResult part = intersect_patches(a.piece, b.piece, options, context);

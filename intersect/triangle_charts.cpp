@@ -103,38 +103,45 @@ std::vector<TriangleChart> triangle_charts(const symbolic::SurfacePiece& triangl
 
 namespace {
 
-BranchEnd end_in_triangle(const BranchEnd& end, const TriangleCorner& corner, std::size_t index) {
+/// `at` is the point in the parameters of the quadrilateral.
+BranchEnd end_in_triangle(const BranchEnd& end, const SurfacePoint& at, const TriangleCorner& corner,
+                          std::size_t index) {
   BranchEnd result = end;
   const std::size_t first = 2 * index;
   result.side[first] = result.side[first + 1] = 0;
+  const auto is_border = [&](std::size_t axis) {
+    return end.side[first + axis] < 0 && at.parameters[first + axis] == 0;
+  };
   bool on_seam = false;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const int side = end.side[first + axis];
-    on_seam = on_seam || side > 0;
-    if (side >= 0) continue;
+    on_seam = on_seam || (end.side[first + axis] != 0 && !is_border(axis));
+    if (!is_border(axis)) continue;
     if (corner.border(axis) == 2)
       result.third_side[index] = true;
     else
       result.side[first + corner.border(axis)] = -1;
   }
+  // The mark of a seam is a side on which the triangle has no border.
   if (on_seam) result.side[result.side[first] == 0 ? first : first + 1] = seam_in_triangle;
   const auto leading = static_cast<std::size_t>(
       std::find_if(end.side.begin(), end.side.end(), [](int side) { return side != 0; }) - end.side.begin());
   if (leading != first && leading != first + 1) return result;
-  if (end.side[leading] > 0 || (end.side[first] != 0 && end.side[first + 1] != 0))
+  if (on_seam || (end.side[first] != 0 && end.side[first + 1] != 0))
     result.transition = Transition::touching;
   else if (!corner.follows_border(leading - first) && end.transition != Transition::touching)
     result.transition = end.transition == Transition::in ? Transition::out : Transition::in;
   return result;
 }
 
-/// Whether a component runs along one of the sides inside the triangle.
+/// Whether a component runs along a line on which parts of the triangle meet.
 bool runs_along_seam(const SurfaceComponent& component, std::size_t index) {
-  for (std::size_t k = 2 * index; k < 2 * index + 2; ++k)
-    if (component.start.side[k] == 1 && component.end.side[k] == 1 &&
+  for (std::size_t k = 2 * index; k < 2 * index + 2; ++k) {
+    const double kept = component.points.front().parameters[k];
+    if (component.start.side[k] != 0 && component.start.side[k] == component.end.side[k] && kept != 0 &&
         std::all_of(component.points.begin(), component.points.end(),
-                    [&](const SurfacePoint& point) { return point.parameters[k] == 1; }))
+                    [&](const SurfacePoint& point) { return point.parameters[k] == kept; }))
       return true;
+  }
   return false;
 }
 
@@ -150,8 +157,11 @@ void to_triangle_parameters(SurfaceResult& result, const TriangleCorner& corner,
   };
   for (SurfaceComponent& component : result.components) {
     component.along_seam[index] = component.kind == SurfaceComponentKind::curve && runs_along_seam(component, index);
+    if (!component.points.empty()) {
+      component.start = end_in_triangle(component.start, component.points.front(), corner, index);
+      component.end = end_in_triangle(component.end, component.points.back(), corner, index);
+    }
     for (SurfacePoint& point : component.points) map_point(point);
-    for (BranchEnd* end : {&component.start, &component.end}) *end = end_in_triangle(*end, corner, index);
   }
   for (SurfaceSingularPoint& point : result.singular_points) {
     map_point(point.at);
