@@ -61,6 +61,7 @@ class ArcTracing {
     add(arc, here);
     Vector4d tangent = tangent_at(here, turned_ ? here.x - goal : goal - here.x);
     Vector4d curvature = curvature_at(here, tangent);
+    third_ = fourth_ = Vector4d::Zero();
     double step = std::min(0.25 * (goal - here.x).norm(), 1e-2);
     constexpr std::size_t most_points = 2000000;
     while (arc.points.size() < most_points) {
@@ -75,7 +76,7 @@ class ArcTracing {
         step = std::min(step, 0.3 * rest.norm());
       }
       const bool last = near == 0 && rest.norm() <= 1.5 * step && left > 0;
-      const Difference next = last ? newton(goal) : newton(here.x + step * tangent + 0.5 * step * step * curvature);
+      const Difference next = last ? newton(goal) : newton(predicted(here.x, tangent, curvature, step));
       const Vector4d d = next.x - here.x;
       look_around(here, d);
       const double deviation = deviation_of(here, next, d);
@@ -92,8 +93,11 @@ class ArcTracing {
         arc.proven = true;
         return arc;
       }
+      const Vector4d tangent_before = tangent;
+      const Vector4d curvature_before = curvature;
       tangent = tangent_at(next, d);
       curvature = curvature_at(next, tangent);
+      extrapolate(d, tangent_before, curvature_before, tangent, curvature);
       here = next;
       step *= std::clamp(0.9 * std::sqrt(tolerance_ / deviation), 0.5, 2.0);
     }
@@ -112,6 +116,25 @@ class ArcTracing {
     return true;
   }
 
+  /// A step along the arc by its length.
+  Vector4d predicted(const Vector4d& x, const Vector4d& tangent, const Vector4d& curvature, double step) const {
+    return x + step * (tangent + step / 2 * (curvature + step / 3 * (third_ + step / 4 * fourth_)));
+  }
+
+  /// The third and fourth derivative of the parameters by the length of the arc, from first and second ones at both
+  /// ends of the step d, to their lowest orders; they only make Newton's method shorter.
+  void extrapolate(const Vector4d& d, const Vector4d& tangent_before, const Vector4d& curvature_before,
+                   const Vector4d& tangent, const Vector4d& curvature) {
+    const double chord = d.norm();
+    const double length = chord * (1 + curvature.squaredNorm() * chord * chord / 24);
+    // Without the terms of higher order p is x''' - x'''' length / 3, and q is x''' - x'''' length / 2.
+    const Vector4d p = (tangent_before - tangent + length * curvature) * (2 / (length * length));
+    const Vector4d q = (curvature - curvature_before) / length;
+    third_ = 3 * p - 2 * q;
+    fourth_ = (p - q) * (6 / length);
+    if (!third_.allFinite() || !fourth_.allFinite()) third_ = fourth_ = Vector4d::Zero();
+  }
+
   /// Bounds for a step of d: those of the whole cell say little where derivatives differ much in it.
   void look_around(const Difference& here, const Vector4d& d) {
     const Vector4d unit = units_of(here);
@@ -124,8 +147,12 @@ class ArcTracing {
     const bool enough = (least_lower.array() >= lower_.array()).all() && (least_upper.array() <= upper_.array()).all();
     const bool tight = ((upper_ - lower_).array() <= much * (least_upper - least_lower).array()).all();
     if (enough && tight) return;
-    const Vector4d far = 0.25 * much * near;
-    bound_derivatives((here.x - far).cwiseMax(cell_lower_), (here.x + far).cwiseMin(cell_upper_));
+    // For the steps to come, which bend away from the direction of this one.
+    constexpr double steps = 24;
+    const Vector4d ahead = steps * d;
+    const Vector4d beside = 2.5 * near;
+    bound_derivatives((here.x - beside + ahead.cwiseMin(0)).cwiseMax(cell_lower_),
+                      (here.x + beside + ahead.cwiseMax(0)).cwiseMin(cell_upper_));
   }
 
   /// By how much each parameter moves where the point in space moves by about one.
@@ -139,9 +166,13 @@ class ArcTracing {
   }
 
   Difference difference_at(const Vector4d& x) {
+    return difference_of(x, first_.at(x[0], x[1]), second_.at(x[2], x[3]));
+  }
+
+  static Difference difference_of(const Vector4d& x, const PatchJets::Value& first, const PatchJets::Value& second) {
     Difference result;
-    result.first = first_.at(x[0], x[1]);
-    result.second = second_.at(x[2], x[3]);
+    result.first = first;
+    result.second = second;
     const PatchJets::Value& a = result.first;
     const PatchJets::Value& b = result.second;
     result.x = x;
@@ -167,10 +198,52 @@ class ArcTracing {
       const Eigen::Matrix3d gram = j * j.transpose();
       const Vector4d change = j.transpose() * (gram.inverse() * value);
       x -= change;
+      if (move_little(here, x)) break;
       here = difference_at(x);
       if (!(change.lpNorm<Eigen::Infinity>() > 1e-9)) break;
     }
     return nearly_tangent(here) ? closest(here) : here;
+  }
+
+  /// Moves the difference by a little, to x, by Taylor's formula; false where that is less accurate than the steps
+  /// need.
+  bool move_little(Difference& at, const Vector4d& x) const {
+    // The parameters are rounded.
+    const Vector4d by = x - at.x;
+    constexpr double little = 1e-9;
+    if (!(by.lpNorm<Eigen::Infinity>() < little) || !is_bounded_at(x) || !is_bounded_at(at.x)) return false;
+    const double error_a = error_of_move(a_, by[0], by[1]);
+    const double error_b = error_of_move(b_, by[2], by[3]);
+    constexpr double hardly_any = 1e-4;
+    if (!(error_a + error_b < hardly_any * tolerance_)) return false;
+    move(at.first, by[0], by[1], error_a);
+    move(at.second, by[2], by[3], error_b);
+    at = difference_of(x, at.first, at.second);
+    return true;
+  }
+
+  bool is_bounded_at(const Vector4d& x) const {
+    return (x.array() >= lower_.array()).all() && (x.array() <= upper_.array()).all();
+  }
+
+  /// The error of points that stands for those of their derivatives, too, when the second ones stay as they are: in
+  /// derivatives of order k it counts times the k-th power of the steepness, which is at least 2. The second
+  /// derivatives change by S at most, so that what Taylor's formula leaves of the first ones is below S (p + q) / 2,
+  /// and of points below S (p + q)^2 / 6: far less.
+  static double error_of_move(const DerivativeBounds& bounds, double p, double q) {
+    p = std::fabs(p);
+    q = std::fabs(q);
+    const Array4d change = (bounds.third[0] * p + bounds.third[1] * q)
+                               .max(bounds.third[1] * p + bounds.third[2] * q)
+                               .max(bounds.third[2] * p + bounds.third[3] * q);
+    return 0.25 * change.head<3>().maxCoeff();
+  }
+
+  static void move(PatchJets::Value& value, double p, double q, double error) {
+    value.point += value.first[0] * p + value.first[1] * q + 0.5 * along(value.second, p, q);
+    value.first[0] += value.second[0] * p + value.second[1] * q;
+    value.first[1] += value.second[1] * p + value.second[2] * q;
+    value.error += error + 4 * unit_roundoff * value.point.abs().head<3>().maxCoeff();
   }
 
   /// Whether the normal equations were too inaccurate for Newton's method.
@@ -360,6 +433,9 @@ class ArcTracing {
   bool turned_ = false;
   Vector4d cell_lower_;
   Vector4d cell_upper_;
+  /// Derivatives of the arc at the last point, as far as they are known.
+  Vector4d third_ = Vector4d::Zero();
+  Vector4d fourth_ = Vector4d::Zero();
   /// Where the bounds hold.
   Vector4d lower_;
   Vector4d upper_;
