@@ -56,6 +56,24 @@ void halve(const NetShape<P>& shape, std::size_t axis, Array4d* left, Array4d* r
   });
 }
 
+/// Both parts along an axis, as `halve` does, at a parameter in (0, 1).
+/// Every control value is wrong by at most 4 * degree * unit_roundoff * (largest value) more.
+template <std::size_t P>
+void cut_at(const NetShape<P>& shape, std::size_t axis, double at, Array4d* left, Array4d* right) {
+  std::copy(left, left + shape.size(), right);
+  const std::size_t degree = shape.degree[axis];
+  const std::size_t stride = shape.stride(axis);
+  shape.for_each_line(axis, [&](std::size_t base) {
+    Array4d* const a = left + base;
+    Array4d* const b = right + base;
+    for (std::size_t level = 0; level <= degree; ++level) {
+      a[level * stride] = b[0];
+      for (std::size_t i = 0; i + level < degree; ++i)
+        b[i * stride] = (1 - at) * b[i * stride] + at * b[(i + 1) * stride];
+    }
+  });
+}
+
 /// The part between two values of the parameter of an axis, which may lie a little outside [0, 1].
 /// Every control value is wrong by at most 10 * degree * unit_roundoff * (largest value met) more.
 template <std::size_t P>
@@ -63,11 +81,13 @@ void restrict_to(const NetShape<P>& shape, std::size_t axis, double lower, doubl
   const std::size_t degree = shape.degree[axis];
   const std::size_t stride = shape.stride(axis);
   const auto keep_right = [&](Array4d* p, double t) {
+    if (t == 0) return;
     for (std::size_t level = 1; level <= degree; ++level)
       for (std::size_t i = 0; i + level <= degree; ++i)
         p[i * stride] = (1 - t) * p[i * stride] + t * p[(i + 1) * stride];
   };
   const auto keep_left = [&](Array4d* p, double t) {
+    if (t == 1) return;
     for (std::size_t level = 1; level <= degree; ++level)
       for (std::size_t i = degree; i >= level; --i) p[i * stride] = (1 - t) * p[(i - 1) * stride] + t * p[i * stride];
   };

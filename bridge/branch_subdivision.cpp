@@ -97,21 +97,21 @@ class Subdivision {
       verdict = test_.examine();
     }
     if (verdict.excluded && cell.points.empty()) {
-      stack_.pop_back();
+      drop();
       return;
     }
     if (verdict.regular && cell.points.size() <= 2 && cell.points.size() != 1) {
       if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box_of(cell), {}, {}});
-      stack_.pop_back();
+      drop();
       return;
     }
     const double widest = *std::max_element(cell.width.begin(), cell.width.end());
     if (!verdict.excluded && !verdict.regular && (settle_contact_curve(cell, widest) || settle_contact(cell, widest))) {
-      stack_.pop_back();
+      drop();
       return;
     }
     if (!verdict.excluded && !verdict.regular && is_gap(cell, widest)) {
-      stack_.pop_back();
+      drop();
       return;
     }
     // Points on its sides contradict an excluded cell, or a regular one with a single point: the intersection touches.
@@ -290,7 +290,7 @@ class Subdivision {
 
   void leave_open(const Cell& cell) {
     graph_.open.push_back(box_of(cell));
-    stack_.pop_back();
+    drop();
     if (graph_.open.size() >= limits_.most_open) graph_.complete = false;
   }
 
@@ -352,24 +352,38 @@ class Subdivision {
   }
 
   void split(std::size_t axis, double at, std::vector<std::size_t> below, std::vector<std::size_t> above) {
-    Cell upper = stack_.back();
-    Cell& lower = stack_.back();
+    stack_.push_back(spare_cell());
+    Cell& upper = stack_.back();
+    Cell& lower = stack_[stack_.size() - 2];
+    upper = lower;
     const Side<2>& side = side_of(axis);
     const std::size_t k = axis % 2;
-    const auto restrict_part = [&](Cell& cell, double from, double to) {
-      std::vector<Array4d>& points = axis < 2 ? cell.first : cell.second;
-      Array4d& error = axis < 2 ? cell.first_error : cell.second_error;
-      restrict_to(side.shape, k, from, to, points.data());
-      error += 10 * static_cast<double>(side.shape.degree[k]) * unit_roundoff * side.size;
+    const bool of_first = axis < 2;
+    cut_at(side.shape, k, at, (of_first ? lower.first : lower.second).data(),
+           (of_first ? upper.first : upper.second).data());
+    for (Cell* part : {&lower, &upper}) {
+      Array4d& error = of_first ? part->first_error : part->second_error;
+      error += 4 * static_cast<double>(side.shape.degree[k]) * unit_roundoff * side.size;
       if (side.polynomial) error[3] = 0;
-      cell.lower[axis] += from * cell.width[axis];
-      cell.width[axis] *= to - from;
-    };
-    restrict_part(lower, 0, at);
-    restrict_part(upper, at, 1);
+    }
+    upper.lower[axis] += at * upper.width[axis];
+    upper.width[axis] *= 1 - at;
+    lower.width[axis] *= at;
     lower.points = std::move(below);
     upper.points = std::move(above);
-    stack_.push_back(std::move(upper));
+  }
+
+  /// Takes the topmost cell away; its memory is used again.
+  void drop() {
+    spare_.push_back(std::move(stack_.back()));
+    stack_.pop_back();
+  }
+
+  Cell spare_cell() {
+    if (spare_.empty()) return {};
+    Cell cell = std::move(spare_.back());
+    spare_.pop_back();
+    return cell;
   }
 
   /// All points of the intersection on the cut, none of them on the border of the cell.
@@ -480,6 +494,7 @@ class Subdivision {
   double look_for_curve_ = 0.25;
   SurfaceCell test_;
   std::vector<Cell> stack_;
+  std::vector<Cell> spare_;
   BranchGraph graph_;
 };
 

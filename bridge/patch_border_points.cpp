@@ -221,7 +221,9 @@ class BorderSearch {
     const double a = point.parameters[2 * other];
     const double b = point.parameters[2 * other + 1];
     const double reach = 4 * point.radius + 0x1p-40;
-    const auto bounds = jets.bounds_on(a - reach, a + reach, b - reach, b + reach);
+    // Bounds on a box as narrow as the radius would be those of roundings.
+    const double wide = reach + 0x1p-12;
+    const auto bounds = jets.bounds_on(a - wide, a + wide, b - wide, b + wide);
     const PatchJets::Value here = jets.at(a, b);
     const double slope = std::fabs(here.first[axis % 2][0]);
     const double change = (bounds->second[0] + 2 * bounds->second[1] + bounds->second[2])[0] * 2 * reach;

@@ -43,6 +43,51 @@ std::optional<std::array<double, 2>> opposite(PatchJets& second, const ContactFr
   return at;
 }
 
+/// The function h and its derivatives at one point, without bounds.
+struct Height {
+  double value;
+  std::array<double, 2> gradient;
+  double uu;
+  double uv;
+  double vv;
+};
+
+/// Where both patches have the same coordinates along the plane.
+std::optional<Height> height_at(const ContactFrame& frame, const PatchJets::Value& a, const PatchJets::Value& b) {
+  Eigen::Matrix2d derivative;
+  for (long row = 0; row < 2; ++row)
+    for (long k = 0; k < 2; ++k) derivative(row, k) = along_plane(frame, b.first[static_cast<std::size_t>(k)], row);
+  const Eigen::Matrix2d follow = derivative.inverse();
+  if (!follow.allFinite()) return std::nullopt;
+  // The normal of the second patch with its last component 1; the first patch has unit slopes along the plane.
+  Eigen::Vector3d normal(0, 0, 1);
+  for (long i = 0; i < 2; ++i)
+    normal[i] = -(along_plane(frame, b.first[0], 2) * follow(0, i) + along_plane(frame, b.first[1], 2) * follow(1, i));
+  const auto bend = [&](long i, long j) {
+    const Array4d bend_of_second = b.second[0] * (follow(0, i) * follow(0, j)) +
+                                   b.second[1] * (follow(0, i) * follow(1, j) + follow(1, i) * follow(0, j)) +
+                                   b.second[2] * (follow(1, i) * follow(1, j));
+    const Array4d difference = a.second[static_cast<std::size_t>(i + j)] - bend_of_second;
+    double sum = 0;
+    for (long c = 0; c < 3; ++c) sum += normal[c] * along_plane(frame, difference, c);
+    return sum;
+  };
+  return Height{along_plane(frame, a.point - b.point, 2), {normal[0], normal[1]}, bend(0, 0), bend(0, 1), bend(1, 1)};
+}
+
+/// Whether the proof of `keep_distance` has a chance: its bounds, from the values at the centre alone.
+bool may_keep_distance(const Height& height, const std::array<double, 2>& reach) {
+  const auto& [p, q] = reach;
+  const double least = std::fabs(height.value);
+  const double most =
+      std::fabs(height.gradient[0]) * p + std::fabs(height.gradient[1]) * q +
+      0.5 * (std::fabs(height.uu) * p * p + 2 * std::fabs(height.uv) * p * q + std::fabs(height.vv) * q * q);
+  const double sign = height.value > 0 ? 1 : -1;
+  const double curvature = std::min(sign * height.uu, sign * height.vv) - std::fabs(height.uv);
+  const double slope = std::hypot(height.gradient[0], height.gradient[1]);
+  return least > most || least * curvature > 0.5 * slope * slope;
+}
+
 }  // namespace
 
 DoubleInterval Hessian::form(const std::array<double, 2>& a, const std::array<double, 2>& b) const {
@@ -132,7 +177,8 @@ std::optional<TangentialElimination> TangentialElimination::on(const ControlNet&
 bool keep_distance(const ControlNet& first, const ControlNet& second, const CellBox& box) {
   std::array<double, 4> centre{};
   for (std::size_t k = 0; k < 4; ++k) centre[k] = 0.5 * (box.lower[k] + box.upper[k]);
-  const auto frame = tangent_frame(PatchJets(first).at(centre[0], centre[1]));
+  const PatchJets::Value value = PatchJets(first).at(centre[0], centre[1]);
+  const auto frame = tangent_frame(value);
   if (!frame) return false;
   PatchJets jets(second);
   const auto across = opposite(jets, *frame, {centre[2], centre[3]});
@@ -148,6 +194,10 @@ bool keep_distance(const ControlNet& first, const ControlNet& second, const Cell
     whole.lower[k] = std::min(whole.lower[k], middle.lower[k]);
     whole.upper[k] = std::max(whole.upper[k], middle.upper[k]);
   }
+  const std::array<double, 2> reach{std::max(whole.upper[0] - centre[0], centre[0] - whole.lower[0]),
+                                    std::max(whole.upper[1] - centre[1], centre[1] - whole.lower[1])};
+  const auto height_here = height_at(*frame, value, jets.at(centre[2], centre[3]));
+  if (!height_here || !may_keep_distance(*height_here, reach)) return false;
   const auto here = TangentialElimination::on(first, second, centre, middle);
   if (!here) return false;
   const auto around = TangentialElimination::on(first, second, centre, whole);
@@ -156,8 +206,6 @@ bool keep_distance(const ControlNet& first, const ControlNet& second, const Cell
   // second patch has those of the first there.
   const DoubleInterval height = here->first.value[2] - here->second.value[2];
   double most = 0;
-  const std::array<double, 2> reach{std::max(whole.upper[0] - centre[0], centre[0] - whole.lower[0]),
-                                    std::max(whole.upper[1] - centre[1], centre[1] - whole.lower[1])};
   for (std::size_t i = 0; i < 2; ++i) most += here->gradient[i].magnitude() * reach[i];
   const Hessian& h = around->hessian;
   most += 0.5 * (h.uu.magnitude() * reach[0] * reach[0] + 2 * h.uv.magnitude() * reach[0] * reach[1] +

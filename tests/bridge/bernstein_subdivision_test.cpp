@@ -223,7 +223,7 @@ TEST_CASE("Bernstein subdivision: random pairs keep their zeros when reversed, s
   CHECK(seen > 200);
 }
 
-TEST_CASE("Parts of a control net: restricting and halving err by no more than they say") {
+TEST_CASE("Parts of a control net: restricting, cutting and halving err by no more than they say") {
   Draw draw(21);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -239,6 +239,10 @@ TEST_CASE("Parts of a control net: restricting and halving err by no more than t
     std::vector<Array4d> left = points;
     std::vector<Array4d> right(points.size());
     halve(shape, 0, left.data(), right.data());
+    const double place = draw.number(0.02, 0.98);
+    std::vector<Array4d> below = points;
+    std::vector<Array4d> above(points.size());
+    cut_at(shape, 0, place, below.data(), above.data());
     const double size = std::exp(0.04 * static_cast<double>(degree));
     const double bound = 10 * static_cast<double>(degree) * unit_roundoff * size;
     for (long k = 0; k < 4; ++k) {
@@ -254,6 +258,8 @@ TEST_CASE("Parts of a control net: restricting and halving err by no more than t
       compare(part, exactly(lower), exactly(upper), bound + 8 * unit_roundoff * 2 * static_cast<double>(degree) * size);
       compare(left, 0, ratio(1, 2), static_cast<double>(degree) * unit_roundoff);
       compare(right, ratio(1, 2), 1, static_cast<double>(degree) * unit_roundoff);
+      compare(below, 0, exactly(place), 4 * static_cast<double>(degree) * unit_roundoff);
+      compare(above, exactly(place), 1, 4 * static_cast<double>(degree) * unit_roundoff);
     }
   }
 }

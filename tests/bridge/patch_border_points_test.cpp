@@ -102,6 +102,9 @@ TEST_CASE("Border points: an irrational corner on two border curves in one plane
                {{{root, 0, root, 0}, {0, -1, 0, -1}}, {{root, 1, root, 1}, {0, 1, 0, 1}}});
   // Patches on both sides of the plane have only that point in common.
   check_points(border_points(NetPair(parabola, {"u", "-v", "1/2"})), {{{root, 0, root, 0}, {0, -1, 0, -1}, 0}});
+  // However high the degree: bounds on a box as small as the error of the point would be bounds of roundings.
+  check_points(border_points(NetPair(parabola, {"u", "v", "1/2 + v*(1 - v)*(u^5*v^3 - u)/16"})),
+               {{{root, 0, root, 0}, {0, -1, 0, -1}}, {{root, 1, root, 1}, {0, 1, 0, 1}}});
 }
 
 TEST_CASE("Border points: other irrational corners are asked for, and left open without an answer") {
