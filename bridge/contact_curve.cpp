@@ -26,6 +26,13 @@ ContactCurve::ContactCurve(const ControlNet& base, const ControlNet& other, cons
     by_[k] = curve_.derivative(k);
     numerator_[k] = IntervalPolynomial(relation_.numerator[k]);
     denominator_[k] = IntervalPolynomial(relation_.denominator[k]);
+    for (const int side : {-1, 1}) {
+      const symbolic::Polynomial bound = symbolic::Polynomial::constant(2, side < 0 ? 0 : 1);
+      if (symbolic::vanishes_along(symbolic::Polynomial::variable(2, k) - bound, relation_.curve))
+        sides_along_[swapped ? 2 + k : k] = side;
+      if (symbolic::vanishes_along(relation_.numerator[k] - bound * relation_.denominator[k], relation_.curve))
+        sides_along_[swapped ? k : 2 + k] = side;
+    }
   }
 }
 
@@ -269,6 +276,7 @@ bool ContactCurve::explains(const CellBox& asked) {
   }
   const auto around = region(box, origin, across, along, 4);
   if (!around) return false;
+  if (keeps_apart(*around)) return record(*around, is_cut);
   // More often than not, larger cells are not worth a closer look.
   constexpr double small = 0.125;
   const bool is_small = around->reach < small && around->length < small;
@@ -276,11 +284,33 @@ bool ContactCurve::explains(const CellBox& asked) {
   if (!has_one_sign(heights.at(2, 0)) &&
       !(is_small && has_one_sign(is_cut ? bend_on_cut(*around, heights) : forms_on(*around, heights).xx)))
     return false;
+  return record(*around, is_cut);
+}
+
+bool ContactCurve::record(const Region& region, bool is_cut) {
   constexpr double inside = 1 - 1e-9;
   if (!is_cut)
-    explained_.push_back({origin, across, along, around->reach * inside, around->length * inside,
-                          around->lower_of_other, around->upper_of_other});
+    explained_.push_back({region.origin, region.across, region.along, region.reach * inside, region.length * inside,
+                          region.lower_of_other, region.upper_of_other});
   return true;
+}
+
+bool ContactCurve::keeps_apart(const Region& region) const {
+  const std::size_t own = swapped_ ? 2 : 0;
+  std::optional<std::array<DoubleInterval, 2>> moving;
+  for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t b = 0; b < 2; ++b) {
+      const int side = sides_along_[own + a];
+      const int side_of_other = sides_along_[2 - own + b];
+      if (side == 0 || side_of_other == 0 || region.across[a] == 0) continue;
+      if (!moving) moving = region.other_across();
+      // One step across moves both parameters out of their domains, or both in; else one leaves where the other enters.
+      const int outwards = region.across[a] > 0 ? side : -side;
+      const DoubleInterval& moved = (*moving)[b];
+      if (!moved.is_finite() || !moved.excludes_zero()) continue;
+      if ((moved.lower > 0 ? side_of_other : -side_of_other) != outwards) return true;
+    }
+  return false;
 }
 
 DoubleInterval ContactCurve::bend_on_cut(const Region& region, const PlaneSeries<DoubleInterval>& heights) const {

@@ -50,6 +50,8 @@ struct CurveCrossing {
 /// With (s, t) as the function of (u, v) that keeps the coordinates along a tangent plane equal, the rest h(u, v) of
 /// the difference vanishes to second order on the curve. Where the curve meets every line of one direction in a
 /// parallelogram and the second derivative of h in that direction has one sign, h has no other zero there (Rolle).
+/// Where the curve is a border of both patches, and they lie on different sides of it in the projection along the
+/// normal, nothing has to be known of h.
 /// Where the third one has one sign, each line has one zero more, which moves along one smooth branch; it crosses the
 /// curve once where the second derivative changes its sign along the curve, monotonically.
 class ContactCurve {
@@ -61,6 +63,8 @@ class ContactCurve {
 
   const symbolic::ContactRelation& relation() const { return relation_; }
   bool swapped() const { return swapped_; }
+  /// For u, v, s, t: -1 where the curve is the border on which the parameter is 0, 1 where it is 1, else 0.
+  const std::array<int, 4>& sides_along() const { return sides_along_; }
   /// u, v, s, t at parameters of the base on the curve, approximately.
   std::array<double, 4> parameters_at(const std::array<double, 2>& base) const;
 
@@ -126,6 +130,11 @@ class ContactCurve {
   /// Of a derivative of h at a point, computed in doubles, in a direction of length about 1.
   double rounding_of_derivative(std::size_t order) const;
 
+  /// Keeps the region as explained, unless it is that of a cut; true.
+  bool record(const Region& region, bool is_cut);
+  /// Whether every point of the region whose parameters of the base are inside the domain, and not on the curve, has
+  /// parameters of the other patch outside of its domain, both patches having the curve as a border.
+  bool keeps_apart(const Region& region) const;
   CellBox in_base_order(const CellBox& box) const;
   std::array<double, 2> nearest(std::array<double, 2> at) const;
   std::array<double, 2> gradient(const std::array<double, 2>& at) const;
@@ -142,6 +151,7 @@ class ContactCurve {
   const ExactNet& exact_other_;
   symbolic::ContactRelation relation_;
   bool swapped_;
+  std::array<int, 4> sides_along_{};
   IntervalPolynomial curve_;
   std::array<IntervalPolynomial, 2> by_;
   std::array<IntervalPolynomial, 2> numerator_;

@@ -83,9 +83,9 @@ DoubleInterval ContactCurve::bend_at_origin(const Region& region) const {
                                   columns_of(region.across, region.along), region.polynomial);
   const auto other =
       in_parameters(at(exact_other_, other_, region.frame, region.middle_of_other), region.by_plane, region.polynomial);
-  const PlaneSeries<DoubleInterval> heights =
+  const HeightSeries<DoubleInterval> heights =
       height_series(widened(base, far, region.base), widened(other, far_of_other, region.other), 2, region.polynomial);
-  return DoubleInterval(2) * heights.at(2, 0);
+  return DoubleInterval(2) * heights.height.at(2, 0);
 }
 
 std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const {

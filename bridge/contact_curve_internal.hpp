@@ -155,8 +155,20 @@ struct ContactCurve::Region {
   /// Bounds |ds| + |dt| where both parameters of the base move by at most one.
   double following = 0;
 
+  /// The derivatives of the other parameters by a step across, at every point of the parallelogram.
+  std::array<DoubleInterval, 2> other_across() const {
+    const HeightSeries<DoubleInterval> series = height_series(base, other, 1, polynomial);
+    std::array<DoubleInterval, 2> result;
+    for (std::size_t k = 0; k < 2; ++k)
+      for (std::size_t c = 0; c < 2; ++c)
+        result[k] = result[k] +
+                    DoubleInterval(by_plane(static_cast<long>(k), static_cast<long>(c))) * series.second[c].at(1, 0);
+    return result;
+  }
   /// h by coordinates across and along, at every point of the parallelogram.
-  PlaneSeries<DoubleInterval> heights(std::size_t order) const { return height_series(base, other, order, polynomial); }
+  PlaneSeries<DoubleInterval> heights(std::size_t order) const {
+    return height_series(base, other, order, polynomial).height;
+  }
 };
 
 /// Both patches at a point of the curve, approximately, in the frame of the base.
@@ -168,7 +180,8 @@ struct ContactCurve::Tables {
   /// h by coordinates in two directions.
   PlaneSeries<double> heights(const contact::Place& across, const contact::Place& along, std::size_t order) const {
     return height_series(contact::in_parameters(base, contact::columns_of(across, along), polynomial), other, order,
-                         polynomial);
+                         polynomial)
+        .height;
   }
 };
 

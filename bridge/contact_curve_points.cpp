@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <eliminant/bridge/contact_conditions.hpp>
@@ -126,6 +127,58 @@ std::vector<std::array<double, 4>> contact_curve_points(const ControlNet& first,
   for (double step = first_step; step >= least_step && points.size() < enough; step *= 0.25)
     points = following.points_from(*start, step);
   if (points.size() < enough) return {};
+  return points;
+}
+
+namespace {
+
+/// The parameters of the point of a patch that is nearest to another one, by Newton's method for least squares.
+std::optional<std::array<double, 2>> foot_on(PatchJets& patch, const Array4d& point, std::array<double, 2> at) {
+  constexpr int most_steps = 20;
+  for (int step = 0; step < most_steps; ++step) {
+    const PatchJets::Value here = patch.at(at[0], at[1]);
+    Eigen::Matrix<double, 3, 2> jacobian;
+    for (long k = 0; k < 2; ++k) jacobian.col(k) = here.first[static_cast<std::size_t>(k)].head<3>().matrix();
+    const Eigen::Vector3d apart = (point - here.point).head<3>().matrix();
+    const Eigen::Vector2d change = jacobian.colPivHouseholderQr().solve(apart);
+    if (!change.allFinite()) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k) at[k] = std::clamp(at[k] + change[static_cast<long>(k)], -beyond, 1 + beyond);
+    if (change.lpNorm<Eigen::Infinity>() < 1e-14) break;
+  }
+  const PatchJets::Value here = patch.at(at[0], at[1]);
+  constexpr double many = 64;
+  if (!((point - here.point).abs().head<3>().maxCoeff() < many * here.error)) return std::nullopt;
+  return at;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 4>> points_along_border(const ControlNet& first, const ControlNet& second,
+                                                       const ContainedBorder& border) {
+  const bool of_first = border.axis < 2;
+  PatchJets own(of_first ? first : second);
+  PatchJets other(of_first ? second : first);
+  const std::size_t base = of_first ? 0 : 2;
+  constexpr int count = 40;
+  constexpr int grid = 4;
+  std::optional<std::array<double, 2>> foot;
+  std::vector<std::array<double, 4>> points;
+  for (int i = 0; i <= count; ++i) {
+    std::array<double, 4> at{};
+    at[border.axis] = border.side < 0 ? 0 : 1;
+    at[of_first ? 1 - border.axis : 5 - border.axis] =
+        border.lower + (border.upper - border.lower) * static_cast<double>(i) / count;
+    const Array4d point = own.at(at[base], at[base + 1]).point;
+    if (foot) foot = foot_on(other, point, *foot);
+    for (int start = 0; !foot && start < grid * grid; ++start) {
+      const int row = start / grid;
+      foot = foot_on(other, point, {(start % grid + 0.5) / grid, (row + 0.5) / grid});
+    }
+    if (!foot) return {};
+    at[2 - base] = (*foot)[0];
+    at[3 - base] = (*foot)[1];
+    points.push_back(at);
+  }
   return points;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <eliminant/bridge/cell_box.hpp>
 #include <eliminant/bridge/control_net.hpp>
 
 namespace eliminant::bridge {
@@ -19,5 +20,10 @@ std::optional<std::array<double, 4>> contact_curve_point(const ControlNet& first
 /// the curve is short beyond use.
 std::vector<std::array<double, 4>> contact_curve_points(const ControlNet& first, const ControlNet& second,
                                                         const std::array<double, 4>& on_curve);
+
+/// Points (u, v, s, t) of a border curve that lies in the other patch, spread over its part; none where Newton's method
+/// does not find the parameters of the other patch.
+std::vector<std::array<double, 4>> points_along_border(const ControlNet& first, const ControlNet& second,
+                                                       const ContainedBorder& border);
 
 }  // namespace eliminant::bridge

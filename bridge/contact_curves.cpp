@@ -56,6 +56,22 @@ bool ContactCurves::find(const std::array<double, 4>& near, double reach) {
   return false;
 }
 
+bool ContactCurves::is_along(std::size_t axis, int side) const {
+  return std::any_of(curves_.begin(), curves_.end(),
+                     [&](const ContactCurve& curve) { return curve.sides_along()[axis] == side; });
+}
+
+bool ContactCurves::find_along(std::size_t axis, int side, double lower, double upper) {
+  if (is_along(axis, side)) return true;
+  if (equations_ == 0) return false;
+  const auto points = points_along_border(first_, second_, {axis, side, lower, upper});
+  if (points.empty()) return false;
+  const bool of_second = axis >= 2;
+  if ((recognise(points, of_second) || recognise(points, !of_second)) && is_along(axis, side)) return true;
+  --equations_;
+  return false;
+}
+
 bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, bool swapped) {
   std::vector<std::array<double, 4>> ordered = points;
   if (swapped)

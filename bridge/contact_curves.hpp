@@ -31,6 +31,13 @@ class ContactCurves {
   /// Looks for one within `reach` of these parameters (u, v, s, t). True when there is one that was not known.
   bool find(const std::array<double, 4>& near, double reach);
 
+  /// Looks for one along a part of a border curve (axis 0 to 3, side -1 or 1) that lies in the other patch. True when
+  /// there is one, known or not.
+  bool find_along(std::size_t axis, int side, double lower, double upper);
+
+  /// Whether there is one along that border.
+  bool is_along(std::size_t axis, int side) const;
+
   /// True where it is proven that every common point in the box is one of a curve that was found.
   bool explains(const CellBox& box);
 

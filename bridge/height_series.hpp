@@ -38,13 +38,22 @@ void add_product(const PlaneSeries<Scalar>& a, std::size_t least_a, const PlaneS
   }
 }
 
-/// The difference h of two patches along a normal as a series in the parameters (x, y) of the first, while those of the
-/// second follow so that both other coordinates stay equal: ContactSeries for all directions at once. Coordinates are
-/// compared with weights multiplied crosswise; where `polynomial` all weights are taken as 1. The constant terms of
-/// both others are taken as equal, and that of h is 0. Terms up to the degree `order` <= 4.
+/// How one patch lies above another, as series in the parameters (x, y) of the first.
 template <class Scalar>
-PlaneSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const TaylorTable<Scalar>& second,
-                                  std::size_t order, bool polynomial) {
+struct HeightSeries {
+  /// The difference h along the normal.
+  PlaneSeries<Scalar> height;
+  /// The parameters of the second patch, relative to those at the origin.
+  std::array<PlaneSeries<Scalar>, 2> second;
+};
+
+/// The difference of two patches along a normal while the parameters of the second follow so that both other
+/// coordinates stay equal: ContactSeries for all directions at once. Coordinates are compared with weights multiplied
+/// crosswise; where `polynomial` all weights are taken as 1. The constant terms of both others are taken as equal, and
+/// that of h is 0. Terms up to the degree `order` <= 4.
+template <class Scalar>
+HeightSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const TaylorTable<Scalar>& second,
+                                   std::size_t order, bool polynomial) {
   constexpr std::size_t normal = 2;
   constexpr std::size_t weight = 3;
   using Series = PlaneSeries<Scalar>;
@@ -89,7 +98,7 @@ PlaneSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const Taylor
     return result;
   };
 
-  Series height;
+  HeightSeries<Scalar> result;
   for (std::size_t n = 1; n <= order; ++n) {
     raise_powers(n);
     if (!polynomial) compose(weight, n);
@@ -106,9 +115,10 @@ PlaneSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const Taylor
     for (std::size_t k = 0; k < 4; ++k)
       if (k != weight || !polynomial) compose(k, n);
     const Series last = difference(normal, n);
-    for (std::size_t j = 0; j <= n; ++j) height.at(n - j, j) = last.at(n - j, j);
+    for (std::size_t j = 0; j <= n; ++j) result.height.at(n - j, j) = last.at(n - j, j);
   }
-  return height;
+  result.second = {power[1][0], power[0][1]};
+  return result;
 }
 
 }  // namespace eliminant::bridge

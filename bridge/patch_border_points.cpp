@@ -59,7 +59,7 @@ struct BorderProblem {
 class BorderSearch {
  public:
   BorderSearch(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
-               const ExactNet& exact_second, const BorderMeetings& meetings, const ContainedParts& contained_parts,
+               const ExactNet& exact_second, const BorderMeetings& meetings, const FindContainedParts& contained_parts,
                const Context& context, ContactCurves* curves)
       : nets_{&first, &second},
         exact_{&exact_first, &exact_second},
@@ -110,12 +110,15 @@ class BorderSearch {
       found = bernstein_subdivision(curve, patch, find_contact, flat, context_);
     }
     if (!found.complete || !found.open.empty()) {
-      const auto parts = contained_parts_(axis, side);
-      for (const auto& [lower, upper] : parts) result_.contained.push_back({axis, side, lower, upper});
-      if (parts.empty()) result_.open.push_back({axis, side, "the border curve touches the other surface"});
-      // Only where all of it is contained there is nothing else on it.
-      if (parts.size() == 1 && parts[0][0] <= 0 && parts[0][1] >= 1) return;
-      if (!parts.empty()) result_.open.push_back({axis, side, "a part of the border curve lies in the other surface"});
+      const ContainedParts parts = contained_parts_(axis, side);
+      for (const auto& [lower, upper] : parts.intervals) {
+        result_.contained.push_back({axis, side, lower, upper});
+        if (curves_ != nullptr) curves_->find_along(axis, side, lower, upper);
+      }
+      if (parts.nothing_else) return;
+      if (parts.intervals.empty()) result_.open.push_back({axis, side, "the border curve touches the other surface"});
+      if (!parts.intervals.empty())
+        result_.open.push_back({axis, side, "a part of the border curve lies in the other surface"});
       return;
     }
     for (const IsolatedZero& zero : found.zeros) add_crossing(problem, zero, prover, of_curve);
@@ -398,7 +401,7 @@ class BorderSearch {
   std::array<const ExactNet*, 2> exact_;
   std::array<PatchJets, 2> jets_;
   const BorderMeetings& meetings_;
-  const ContainedParts& contained_parts_;
+  const FindContainedParts& contained_parts_;
   const Context& context_;
   ContactCurves* curves_;
   std::vector<std::pair<CrossingPoint, OpenBorder>> undecided_;
@@ -409,7 +412,8 @@ class BorderSearch {
 
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
                                  const ExactNet& exact_second, const BorderMeetings& meetings,
-                                 const ContainedParts& contained_parts, const Context& context, ContactCurves* curves) {
+                                 const FindContainedParts& contained_parts, const Context& context,
+                                 ContactCurves* curves) {
   return BorderSearch(first, second, exact_first, exact_second, meetings, contained_parts, context, curves).run();
 }
 

@@ -43,8 +43,16 @@ struct BorderPoints {
 using BorderMeetings = std::function<std::vector<std::array<double, 2>>(std::size_t first_axis, int first_side,
                                                                         std::size_t second_axis, int second_side)>;
 
-/// The intervals of a border curve that lie in the other patch, proven. Asked for only where doubles leave it open.
-using ContainedParts = std::function<std::vector<std::array<double, 2>>(std::size_t axis, int side)>;
+/// What is proven of a border curve that may lie in the other patch.
+struct ContainedParts {
+  /// Closed intervals that lie in the other patch.
+  std::vector<std::array<double, 2>> intervals;
+  /// It has no other point in common with the other patch.
+  bool nothing_else = false;
+};
+
+/// Asked for only where doubles leave it open.
+using FindContainedParts = std::function<ContainedParts(std::size_t axis, int side)>;
 
 /// All points of two tensor-product patches on [0, 1]^2 that lie on the border of one of them: each of the eight border
 /// curves against the other patch. Which of them lie on a border of the other patch, too, is decided exactly: by
@@ -52,7 +60,7 @@ using ContainedParts = std::function<std::vector<std::array<double, 2>>(std::siz
 /// curves of contact, which `curves` (if given) looks for, are left out.
 BorderPoints patch_border_points(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
                                  const ExactNet& exact_second, const BorderMeetings& meetings,
-                                 const ContainedParts& contained_parts, const Context& context,
+                                 const FindContainedParts& contained_parts, const Context& context,
                                  ContactCurves* curves = nullptr);
 
 }  // namespace eliminant::bridge

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/intersect/border_curves.hpp>
 
+#include <algorithm>
+
 #include <eliminant/base/error.hpp>
 #include <eliminant/bridge/meetings_by_substitution.hpp>
 #include <eliminant/intersect/curve_curve.hpp>
@@ -15,8 +17,8 @@ double middle(const Coordinate& x) { return arf_get_d(arb_midref(x.ball.real()),
 
 }  // namespace
 
-std::vector<std::array<double, 2>> BorderCurves::contained(std::size_t axis, int side) const {
-  std::vector<std::array<double, 2>> result;
+bridge::ContainedParts BorderCurves::contained(std::size_t axis, int side) const {
+  bridge::ContainedParts result;
   CurveResult found;
   try {
     const symbolic::ParametricCurve curve{{border_of(axis < 2 ? first_ : second_, axis % 2, side)}};
@@ -27,8 +29,14 @@ std::vector<std::array<double, 2>> BorderCurves::contained(std::size_t axis, int
   }
   for (const Overlap& overlap : found.overlap) {
     if (!overlap.certified || !overlap.t || !(*overlap.t)[0] || !(*overlap.t)[1]) continue;
-    result.push_back({middle(*(*overlap.t)[0]), middle(*(*overlap.t)[1])});
+    result.intervals.push_back({middle(*(*overlap.t)[0]), middle(*(*overlap.t)[1])});
   }
+  const bool is_whole = result.intervals.size() == 1 && result.intervals[0][0] <= 0 && result.intervals[0][1] >= 1;
+  const bool is_known = found.status == Status::infinite && found.rest_status == Status::certified &&
+                        result.intervals.size() == found.overlap.size() &&
+                        std::none_of(found.solutions.begin(), found.solutions.end(),
+                                     [](const CurveSolution& solution) { return solution.inside; });
+  result.nothing_else = is_whole || (is_known && !result.intervals.empty());
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include <eliminant/base/context.hpp>
 #include <eliminant/bridge/control_net.hpp>
+#include <eliminant/bridge/patch_border_points.hpp>
 
 namespace eliminant::intersect {
 
@@ -25,8 +26,8 @@ class BorderCurves {
   const std::vector<std::array<double, 2>>& meetings(std::size_t first_axis, int first_side, std::size_t second_axis,
                                                      int second_side);
 
-  /// The closed intervals of a border curve (axis 0 to 3) that lie in the other patch, certified.
-  std::vector<std::array<double, 2>> contained(std::size_t axis, int side) const;
+  /// What is certified of a border curve (axis 0 to 3) against the other patch.
+  bridge::ContainedParts contained(std::size_t axis, int side) const;
 
  private:
   /// first_axis, first_side, second_axis, second_side.

@@ -91,14 +91,13 @@ class Arcs {
   }
 
   bool add_side(std::size_t parameter, int side, const Polynomial& function) {
-    if (function.is_zero()) return false;
+    // Along the side, all of the curve is in the domain.
+    if (symbolic::vanishes_along(function, curve_.relation().curve)) return true;
     const int sign = sign_on_domain(function);
     if (sign > 0) return true;
     sides_.push_back({parameter, side, function});
     for (const symbolic::BivariateFactor& factor : symbolic::bivariate_factors(function.primitive_part(), 0)) {
       const Polynomial p = factor.factor.primitive_part();
-      // The curve along a border of the other patch.
-      if (p == factors_.front().factor) return false;
       const bool known =
           std::any_of(factors_.begin(), factors_.end(), [&](const SectionFactor& f) { return f.factor == p; });
       if (!known && !is_border_line(p) && sign_on_domain(p) == 0)

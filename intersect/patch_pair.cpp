@@ -170,7 +170,9 @@ class PatchPair {
     for (const bridge::CellCrossing& crossing : graph_.crossings) add_crossing(crossing);
     for (const BranchChain& chain : branch_chains(graph_)) add_chain(chain);
     bool complete = graph_.complete && graph_.open.empty() && border.open.empty();
-    for (std::size_t i = 0; i < curves.curves().size(); ++i) complete = add_contact_curve(i) && complete;
+    for (std::size_t i = 0; i < curves.curves().size(); ++i)
+      complete = add_contact_curve(i, border.contained) && complete;
+    certify_contained(border.contained);
     for (const bridge::CellBox& hull : clusters_of(graph_.open)) add_undecided(hull);
     for (const bridge::OpenBorder& open : border.open)
       result_.warnings.push_back(border_name(open.axis, open.side) + ": " + open.reason);
@@ -254,6 +256,19 @@ class PatchPair {
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(std::move(component));
     }
     for (SurfaceComponent& component : found) result_.components.push_back(std::move(component));
+  }
+
+  /// Borders along which the patches touch, once that is proven.
+  void certify_contained(const std::vector<bridge::ContainedBorder>& borders) {
+    for (SurfaceComponent& component : result_.components) {
+      if (component.certified || !component.tangential) continue;
+      const auto is_proven = [&](const bridge::ContainedBorder& border) {
+        return component.start.side[border.axis] == border.side && component.end.side[border.axis] == border.side &&
+               curves_->is_along(border.axis, border.side);
+      };
+      component.certified = std::any_of(borders.begin(), borders.end(), is_proven);
+      if (component.certified) component.reason.clear();
+    }
   }
 
   SurfaceComponent contained_border(const bridge::ContainedBorder& border) {
@@ -364,8 +379,13 @@ class PatchPair {
   }
 
   /// The pieces of a curve of contact; false where they are not proven to be all.
-  bool add_contact_curve(std::size_t index) {
+  bool add_contact_curve(std::size_t index, const std::vector<bridge::ContainedBorder>& contained) {
     const bridge::ContactCurve& curve = curves_->curves()[index];
+    // All its pieces are those of the border, which are known.
+    if (std::any_of(contained.begin(), contained.end(), [&](const bridge::ContainedBorder& border) {
+          return curve.sides_along()[border.axis] == border.side;
+        }))
+      return true;
     std::vector<bridge::CurveCrossing> crossings;
     std::vector<std::size_t> singular;
     for (std::size_t i = 0; i < graph_.crossings.size(); ++i) {

@@ -60,6 +60,8 @@ Polynomial minor(const Coordinates& a, const Coordinates& b, std::size_t i, std:
 
 }  // namespace
 
+bool vanishes_along(const Polynomial& p, const Polynomial& curve) { return divides(curve, p); }
+
 bool touch_along(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
                  const ContactRelation& relation) {
   if (relation.curve.is_constant())

@@ -17,6 +17,9 @@ struct ContactRelation {
   std::array<Polynomial, 2> denominator{Polynomial(2), Polynomial(2)};
 };
 
+/// Whether a polynomial in (a, b) vanishes on the curve: its equation, which must have no multiple factor, divides it.
+bool vanishes_along(const Polynomial& p, const Polynomial& curve);
+
 /// Whether both maps have equal points and equal tangent planes along the curve, wherever the denominators and the
 /// weights are not zero and the second map is immersed: the curve divides the minors that say so. A proof where true;
 /// also false where a denominator vanishes along the curve. The maps are their four homogeneous coordinates, the weight

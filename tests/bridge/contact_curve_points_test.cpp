@@ -40,3 +40,19 @@ TEST_CASE("Contact curve points: none near a contact on its own, a crossing and 
     CHECK_FALSE(contact_curve_point(nets.first, nets.second, {0.51, 0.49, 0.51, 0.49}, 0.1));
   }
 }
+
+TEST_CASE("Contact curve points: along a border that lies in the other patch, with that one's parameters") {
+  // The border u = 1 from v = 1/4 to 3/4 is the border s = 0, with v = 3/4 - t/2.
+  const NetPair nets({"u", "v", "u^2"}, {"1 + u", "3/4 - v/2", "1 + 2*u - 3*u^2"});
+  const auto of_first = points_along_border(nets.first, nets.second, {0, 1, 0.25, 0.75});
+  const auto of_second = points_along_border(nets.first, nets.second, {2, -1, 0, 1});
+  for (const auto& points : {of_first, of_second}) {
+    CHECK(points.size() >= 24);
+    for (const std::array<double, 4>& at : points) {
+      CHECK(at[0] == doctest::Approx(1));
+      CHECK(std::fabs(at[2]) < 1e-12);
+      CHECK(std::fabs(at[1] - 0.75 + at[3] / 2) < 1e-12);
+    }
+  }
+  CHECK(points_along_border(nets.first, nets.second, {0, -1, 0, 1}).empty());
+}

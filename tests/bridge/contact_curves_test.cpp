@@ -93,3 +93,43 @@ TEST_CASE("Contact curves: the crossing of rational patches is where the branch 
   for (const double parameter : crossing->parameters) CHECK(std::fabs(parameter - 0.5) <= crossing->radius);
   CHECK(crossing->radius < 1e-11);
 }
+
+TEST_CASE("Contact curves: along a border, with patches on both sides of it or on one") {
+  const PatchText first{"u", "v", "u^2"};
+  struct Seam {
+    PatchText second;
+    std::array<int, 4> sides;
+    bool explained;
+  };
+  // Tangent, with equal curvature and on the same side; with equal curvature on the same side more would have to be
+  // known.
+  const std::vector<Seam> seams{{{"1 + u", "v", "1 + 2*u - 3*u^2"}, {1, 0, -1, 0}, true},
+                                {{"1 + v", "1 - u", "1 + 2*v + v^2 - v^3"}, {1, 0, 0, -1}, true},
+                                {{"1 - u", "v", "1 - 2*u + 2*u^2"}, {1, 0, -1, 0}, true},
+                                {{"1 - u", "v", "1 - 2*u + u^2 - u^3"}, {1, 0, -1, 0}, false}};
+  for (const Seam& seam : seams) {
+    CAPTURE(seam.second.x);
+    CAPTURE(seam.second.z);
+    Pair pair(first, seam.second);
+    CHECK_FALSE(pair.curves.is_along(0, 1));
+    REQUIRE(pair.curves.find_along(0, 1, 0, 1));
+    CHECK(pair.curves.is_along(0, 1));
+    CHECK(pair.curves.curves().size() == 1);
+    CHECK(pair.curves.curves()[0].sides_along() == seam.sides);
+    CHECK(pair.curves.find_along(0, 1, 0, 1));
+    CHECK(pair.curves.curves().size() == 1);
+    const auto& curve = pair.curves.curves()[0];
+    const auto middle =
+        curve.parameters_at(curve.swapped() ? std::array<double, 2>{0, 0.4} : std::array<double, 2>{1, 0.4});
+    CellBox box;
+    for (std::size_t k = 0; k < 4; ++k) {
+      box.lower[k] = middle[k] - 0.02;
+      box.upper[k] = middle[k] + 0.02;
+    }
+    CHECK(pair.curves.explains(box) == seam.explained);
+  }
+  // A common border without a common tangent plane, and one that is not there.
+  Pair edge(first, {"1 + u", "v", "1 + u"});
+  CHECK_FALSE(edge.curves.find_along(0, 1, 0, 1));
+  CHECK_FALSE(edge.curves.find_along(0, -1, 0, 1));
+}

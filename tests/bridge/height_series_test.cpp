@@ -16,7 +16,7 @@ namespace {
 const std::array<Rational, 2> at{ratio(1, 2), ratio(1, 3)};
 
 PlaneSeries<Rational> heights(const PatchText& first, const PatchText& second, bool polynomial) {
-  return height_series(taylor_at(patch_net(first), at, 4), taylor_at(patch_net(second), at, 4), 4, polynomial);
+  return height_series(taylor_at(patch_net(first), at, 4), taylor_at(patch_net(second), at, 4), 4, polynomial).height;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST_CASE("Height series: along every line it is the contact series, of rational
                          "1 + u - 2*(u - 1/2)*(v - 1/3)"};
   const TaylorTable<Rational> a = taylor_at(patch_net(first), at, 4);
   const TaylorTable<Rational> b = taylor_at(patch_net(second), at, 4);
-  const PlaneSeries<Rational> h = height_series(a, b, 4, false);
+  const PlaneSeries<Rational> h = height_series(a, b, 4, false).height;
   for (const auto& [p, q] : {std::pair{Rational(1), Rational(0)}, std::pair{Rational(2), Rational(-3)}}) {
     TaylorTable<Rational> line(1, 4);
     const auto power = [](const Rational& x, std::size_t n) {

@@ -112,7 +112,7 @@ TEST_CASE("Border points: other irrational corners are asked for, and left open 
   const NetPair nets({"u", "u^3 + v", "u^2"}, {"u", "u/2 + v", "1/2"});
   const Context context;
   std::size_t asked = 0;
-  const auto no_parts = [](std::size_t, int) { return std::vector<std::array<double, 2>>(); };
+  const auto no_parts = [](std::size_t, int) { return ContainedParts(); };
   const double root = std::sqrt(0.5);
   const auto with = [&](bool answered) {
     return patch_border_points(
@@ -141,8 +141,9 @@ TEST_CASE("Border points: border curves in the other patch are listed as contain
       nets.first, nets.second, nets.exact_first, nets.exact_second,
       [](std::size_t, int, std::size_t, int) { return std::vector<std::array<double, 2>>(); },
       [](std::size_t axis, int side) {
-        std::vector<std::array<double, 2>> parts;
-        if (axis % 2 == 0 && side < 0) parts.push_back({0, 1});
+        ContainedParts parts;
+        if (axis % 2 == 0 && side < 0) parts.intervals.push_back({0, 1});
+        parts.nothing_else = !parts.intervals.empty();
         return parts;
       },
       context);

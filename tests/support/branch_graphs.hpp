@@ -20,7 +20,7 @@ inline bridge::BorderPoints border_points(const NetPair& nets) {
   return bridge::patch_border_points(
       nets.first, nets.second, nets.exact_first, nets.exact_second,
       [](std::size_t, int, std::size_t, int) { return std::vector<std::array<double, 2>>(); },
-      [](std::size_t, int) { return std::vector<std::array<double, 2>>(); }, context);
+      [](std::size_t, int) { return bridge::ContainedParts(); }, context);
 }
 
 inline bridge::BranchGraph branch_graph(const NetPair& nets, const bridge::SurfaceContactProver* contacts = nullptr,
