@@ -104,6 +104,7 @@ std::optional<LineReader::Line> LineReader::finish_line(std::size_t end) {
   too_long_ = false;
   const bool ours = line_offset_ >= first_offset_;
   if (line_ == 1 && line.text.starts_with("\xEF\xBB\xBF")) line.text.erase(0, 3);
+  if (!line.too_long && line.text.ends_with('\r')) line.text.pop_back();
   taken_ = std::min(end + 1, block_.size());
   ++line_;
   line_offset_ = offset_ - block_.size() + taken_;

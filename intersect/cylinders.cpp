@@ -23,6 +23,8 @@ using symbolic::Polynomial;
 using symbolic::Rational;
 
 constexpr long most_digits = 40000;
+// Of the directions in between, the most that plane curves have.
+constexpr long most_working_digits = 100000;
 
 /// The directions (x, y, 1 + k x + (k^2 + 1) y). A direction is missing in two of these charts at most: the condition
 /// on k is quadratic.
@@ -198,12 +200,14 @@ class CylinderSolver {
     digits_.assign(1, options_.digits);
     std::optional<unsigned long> isotropic;
     for (long digits = options_.digits + guard_digits;; digits *= 2) {
-      working_.digits = digits;
+      working_.digits = std::min(digits, most_working_digits);
       const DirectionsInChart solved = solve_directions(conditions.first, conditions.second, working_, context_);
       if (!begin(solved)) return;
       const bool printed = print(solved, isotropic);
       if (printed && !widen_crowded()) break;
-      if (digits > most_digits) throw PrecisionExhausted("the cylinders could not be enclosed tightly enough");
+      if (digits >= most_working_digits)
+        throw PrecisionExhausted("the cylinders could not be enclosed with " + std::to_string(most_working_digits) +
+                                 " digits: the coordinates of the points are too different in size");
       if (!printed && !isotropic && conditions.kind == CylinderConditions::Kind::general)
         isotropic = count_isotropic(conditions, solved.result.counts.distinct, options_, context_);
     }
@@ -307,8 +311,8 @@ class CylinderSolver {
 CylindersResult cylinders_through(const CylindersProblem& problem, const Options& options, const Context& context) {
   symbolic::install_flint_error_handler();
   if (options.digits < 1 || options.digits > most_digits)
-    throw InvalidInput("digits is " + std::to_string(options.digits),
-                       "a number from 1 to " + std::to_string(most_digits));
+    throw InvalidInput("digits is " + std::to_string(options.digits) + " for cylinders",
+                       "a whole number from 1 to " + std::to_string(most_digits));
   CylindersResult result;
   result.engine.seed = options.seed;
   CylinderSolver(problem, options, context, result).run();

@@ -94,6 +94,14 @@ std::optional<std::size_t> count_in(std::string_view word) {
   return number;
 }
 
+std::string quoted_word(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string quoted(word.substr(0, longest));
+  for (char& c : quoted)
+    if (c < ' ' || c > '~') c = '?';
+  return "'" + quoted + "'";
+}
+
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   for (std::size_t at = line.find_first_not_of(" \t\r"); at != std::string_view::npos;) {

@@ -26,6 +26,9 @@ std::optional<double> double_in(std::string_view word);
 /// A whole number without sign; nothing when the word is anything else or too large.
 std::optional<std::size_t> count_in(std::string_view word);
 
+/// A word for a message: between quotes, cut to 40 characters, with ? for what cannot be printed.
+std::string quoted_word(std::string_view word);
+
 /// The words between blanks and tabs.
 std::vector<std::string_view> words_of(std::string_view line);
 

@@ -59,7 +59,9 @@ std::string read_all(std::FILE* file, const std::string& name) {
 void require_text(std::string_view text, const std::string& name) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = text[at] == '\0' ? 0 : utf8_length(text.substr(at));
-    if (length == 0) throw InvalidInput(name + " is no valid UTF-8", "UTF-8 text", place_in(text, at));
+    if (length == 0)
+      throw InvalidInput(name + (text[at] == '\0' ? " holds a zero byte" : " is no valid UTF-8"), "UTF-8 text",
+                         place_in(text, at));
     at += length;
   }
 }

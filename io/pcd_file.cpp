@@ -35,11 +35,11 @@ class Header {
       if (words.empty() || words[0].starts_with('#')) continue;
       if (words[0] == "DATA")
         data_ = words.size() == 2 ? std::string(words[1]) : "nothing";
-      else
-        entries[std::string(words[0])] = {words.begin() + 1, words.end()};
+      else if (!entries.emplace(words[0], Words(words.begin() + 1, words.end())).second)
+        refuse("there is a second line " + quoted_word(words[0]), "each entry of the header once");
     }
     if (data_ != "ascii" && data_ != "binary")
-      refuse("the data are '" + data_.substr(0, 40) + "'", "DATA ascii or DATA binary");
+      refuse("the data are " + quoted_word(data_), "DATA ascii or DATA binary");
     read_fields(entries["FIELDS"], entries["SIZE"], entries["TYPE"], entries["COUNT"]);
     read_count(entries["POINTS"], entries["WIDTH"], entries["HEIGHT"]);
   }
@@ -64,6 +64,10 @@ class Header {
       const auto count = counts.empty() ? std::optional<std::size_t>(1) : count_in(counts[i]);
       if (!count || *count > most_values)
         refuse("COUNT holds no small whole numbers", "the number of values of each field");
+      const bool axis = names[i] == "x" || names[i] == "y" || names[i] == "z";
+      if (axis && std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+                      names.begin() + static_cast<std::ptrdiff_t>(i))
+        refuse("there are two fields " + std::string(names[i]), "fields x, y and z, each once");
       fields_.push_back({std::string(names[i]), type(types[i], sizes[i]), *count});
     }
   }
@@ -83,20 +87,30 @@ class Header {
     const std::string word = std::string(letter) + std::string(size);
     for (const auto& [name, type] : known)
       if (word == name) return type;
-    refuse("a field has TYPE and SIZE '" + word.substr(0, 40) + "'", "I or U with 1, 2, 4 or 8, or F with 4 or 8");
+    refuse("a field has TYPE and SIZE " + quoted_word(word), "I or U with 1, 2, 4 or 8, or F with 4 or 8");
+  }
+
+  // The whole number of an entry; nothing where there is no such entry.
+  std::optional<std::size_t> number(const char* name, const Words& words) const {
+    if (words.empty()) return std::nullopt;
+    const auto count = words.size() == 1 ? count_in(words[0]) : std::nullopt;
+    if (!count) refuse(std::string(name) + " is " + quoted_word(words[0]), "a whole number, not negative");
+    return count;
   }
 
   void read_count(const Words& points, const Words& width, const Words& height) {
-    const auto number = [](const Words& words) { return words.size() == 1 ? count_in(words[0]) : std::nullopt; };
-    if (const auto count = number(points)) {
-      points_ = *count;
-      return;
-    }
-    const auto columns = number(width);
-    const auto rows = number(height);
-    if (!columns || !rows || (*rows != 0 && *columns > SIZE_MAX / *rows))
+    const auto stated = number("POINTS", points);
+    const auto columns = number("WIDTH", width);
+    const auto rows = number("HEIGHT", height);
+    if (!stated && (!columns || !rows))
       refuse("the header does not say how many points there are", "a line POINTS, or WIDTH and HEIGHT");
-    points_ = *columns * *rows;
+    if (columns && rows) {
+      const std::string product = "WIDTH " + std::to_string(*columns) + " times HEIGHT " + std::to_string(*rows);
+      if (*rows != 0 && *columns > SIZE_MAX / *rows) refuse(product + " is too large", "as many points as there are");
+      if (stated && *stated != *columns * *rows)
+        refuse(product + " is not POINTS " + std::to_string(*stated), "POINTS equal to WIDTH times HEIGHT");
+    }
+    points_ = stated ? *stated : *columns * *rows;
   }
 
   LineReader lines_;
@@ -145,8 +159,11 @@ PointCloud read_ascii(const Header& header, const std::array<Place, 3>& places) 
     for (std::size_t k = 0; k < 3; ++k) {
       const auto number = places[k].value < words.size() ? double_in(words[places[k].value]) : std::nullopt;
       if (!number)
-        refuse_cloud_line(lines.number(), std::string(std::array{"x", "y", "z"}[k]) + " is no number",
-                          "a line with one number for each field");
+        refuse_cloud_line(
+            lines.number(),
+            std::string(std::array{"x", "y", "z"}[k]) +
+                (places[k].value < words.size() ? " is " + quoted_word(words[places[k].value]) : " is missing"),
+            "a line with one number for each field");
       point[k] = *number;
     }
     cloud.add(point);

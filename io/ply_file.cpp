@@ -82,7 +82,7 @@ class Header {
     else if (words[0] == "property")
       read_property(words);
     else
-      refuse("unknown word '" + std::string(words[0].substr(0, 40)) + "' in the header",
+      refuse("unknown word " + quoted_word(words[0]) + " in the header",
              "format, comment, element, property or end_header");
   }
 
@@ -95,15 +95,21 @@ class Header {
   }
 
   void read_element(const std::vector<std::string_view>& words) {
-    const auto count = words.size() == 3 ? count_in(words[2]) : std::nullopt;
-    if (!count) refuse("an element without its number", "a line such as \"element vertex 1000\"");
+    if (words.size() != 3) refuse("an element without its name and number", "a line such as \"element vertex 1000\"");
+    const auto count = count_in(words[2]);
+    if (!count)
+      refuse("the number of elements " + quoted_word(words[1]) + " is " + quoted_word(words[2]),
+             "a whole number, not negative");
+    const bool known = std::any_of(elements_.begin(), elements_.end(),
+                                   [&](const Element& element) { return element.name == words[1]; });
+    if (known) refuse("there is a second element " + quoted_word(words[1]), "each element once");
     elements_.push_back({std::string(words[1]), *count, {}});
   }
 
   ScalarType type(std::string_view word) const {
     for (const auto& [name, type] : type_names)
       if (word == name) return type;
-    refuse("unknown type '" + std::string(word.substr(0, 40)) + "'", "a type of PLY, such as float or double");
+    refuse("unknown type " + quoted_word(word), "a type of PLY, such as float or double");
   }
 
   void read_property(const std::vector<std::string_view>& words) {
@@ -116,7 +122,14 @@ class Header {
       if (*property.length_type == ScalarType::float32 || *property.length_type == ScalarType::float64)
         refuse("the length of a list is no whole number", "a type such as uchar");
     }
-    elements_.back().properties.push_back(std::move(property));
+    std::vector<Property>& properties = elements_.back().properties;
+    const bool axis = property.name == "x" || property.name == "y" || property.name == "z";
+    const bool known = std::any_of(properties.begin(), properties.end(),
+                                   [&](const Property& other) { return other.name == property.name; });
+    if (axis && known)
+      refuse("there is a second property " + property.name + " of " + quoted_word(elements_.back().name),
+             "properties x, y and z, each once");
+    properties.push_back(std::move(property));
   }
 
   LineReader lines_;
@@ -187,7 +200,7 @@ class AsciiBody {
       const auto axis = std::find(places.begin(), places.end(), p);
       if (axis != places.end()) {
         const auto number = double_in(words[at]);
-        if (!number) refuse(vertex.properties[p].name + " is '" + std::string(words[at].substr(0, 40)) + "'");
+        if (!number) refuse(vertex.properties[p].name + " is " + quoted_word(words[at]));
         point[static_cast<std::size_t>(axis - places.begin())] = *number;
       }
       const auto length = vertex.properties[p].length_type ? count_in(words[at]) : std::optional<std::size_t>(0);

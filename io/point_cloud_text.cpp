@@ -22,8 +22,6 @@ std::string_view trimmed(std::string_view word) {
   return word.substr(first, word.find_last_not_of(" \t\"") - first + 1);
 }
 
-std::string quoted(std::string_view word) { return "'" + std::string(word.substr(0, 40)) + "'"; }
-
 // Reads lines whose fields one character separates, or blanks.
 class TextCloud {
  public:
@@ -82,8 +80,11 @@ class TextCloud {
       };
       const auto found = std::find_if(words.begin(), words.end(), is_axis);
       if (found == words.end())
-        refuse("there is no column " + std::string(axis_names[k]) + " among the names " + quoted(line),
+        refuse("there is no column " + std::string(axis_names[k]) + " among the names " + quoted_word(line),
                "columns x, y and z, or lines of three numbers without names");
+      if (std::find_if(found + 1, words.end(), is_axis) != words.end())
+        refuse("there are two columns " + std::string(axis_names[k]) + " among the names " + quoted_word(line),
+               "one column of each name");
       columns_[k] = static_cast<std::size_t>(found - words.begin());
     }
     return true;
@@ -97,7 +98,7 @@ class TextCloud {
       if (columns_[k] >= words.size())
         refuse("there are only " + std::to_string(words.size()) + " fields, " + axis + " is missing", three_numbers);
       const std::optional<double> number = double_in(words[columns_[k]]);
-      if (!number) refuse(axis + " is " + quoted(words[columns_[k]]), "a decimal number of the size of a double");
+      if (!number) refuse(axis + " is " + quoted_word(words[columns_[k]]), "a decimal number of the size of a double");
       point[k] = *number;
     }
     return point;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t sectors = 32;
 constexpr double least_covered = 0.25;
+// Scan lines along a pipe leave sectors without points between them; over such gaps one arc has to be long enough.
+constexpr std::size_t longest_bridge = 2;
 // Straight pipes gain less than a hundredth in generated scenes, pieces of elbows a fifth or more.
 constexpr double largest_gain_by_bending = 1.1;
 constexpr double largest_gain_by_deforming = 1.1;
@@ -31,9 +33,18 @@ bool is_covered(std::span<const Point> points, const CylinderSegment& segment) {
     ++counts[std::min(sectors - 1, static_cast<std::size_t>(turn * sectors))];
   }
   const double usual = usual_count(counts);
-  const auto covered =
-      std::count_if(counts.begin(), counts.end(), [&](std::size_t n) { return static_cast<double>(n) >= usual / 4; });
-  return static_cast<double>(covered) >= least_covered * sectors;
+  const auto filled = [&](std::size_t sector) { return static_cast<double>(counts[sector % sectors]) >= usual / 4; };
+  std::size_t covered = 0;
+  std::size_t longest_run = 0;
+  for (std::size_t first = 0; first < sectors; ++first) {
+    if (!filled(first)) continue;
+    ++covered;
+    std::size_t last = first;
+    for (std::size_t at = first + 1; at < first + sectors && at - last <= longest_bridge + 1; ++at)
+      if (filled(at)) last = at;
+    longest_run = std::max(longest_run, last - first + 1);
+  }
+  return static_cast<double>(std::max(covered, longest_run)) >= least_covered * sectors;
 }
 
 // The residuals near a segment as a combination of {1, h, h^2} x {1, cos, sin}, h from -1 to 1 along the segment: a

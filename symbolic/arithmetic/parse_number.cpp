@@ -111,7 +111,8 @@ Rational parse_number(std::string_view text, const Limits& limits, const Locate&
     return "'" + std::string(text.substr(at, end - at)) + "'";
   };
   const auto refuse = [&](const std::string& expected) {
-    throw ParseError("unexpected " + found() + " in a number", expected, place_of(at));
+    const bool empty = text.find_first_not_of(" \t\n\r") == std::string_view::npos;
+    throw ParseError(empty ? "a number is empty" : "unexpected " + found() + " in a number", expected, place_of(at));
   };
   const auto signed_literal = [&](const char* expected) {
     skip_blanks();

@@ -32,7 +32,7 @@ TEST_CASE("line reader: blank lines count, but are none; the last line needs no 
   const TemporaryFolder folder;
   CHECK(lines_of(folder.write("a", "")).empty());
   CHECK(lines_of(folder.write("b", "\n \t\r\n\n")).empty());
-  CHECK(lines_of(folder.write("c", "a\n\n  b\r\nc")) == Lines{{1, "a"}, {3, "  b\r"}, {4, "c"}});
+  CHECK(lines_of(folder.write("c", "a\n\n  b\r\nc")) == Lines{{1, "a"}, {3, "  b"}, {4, "c"}});
   CHECK(lines_of(folder.write("d",
                               "\xEF\xBB\xBF"
                               "a\n")) == Lines{{1, "a"}});

@@ -61,8 +61,8 @@ std::string binary_ply(bool big_endian) {
 
 std::string pcd_header(const std::string& data, const std::string& points) {
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 8 2\n"
-         "TYPE F F F U\nCOUNT 1 1 1 2\nWIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " +
-         points + "\nDATA " + data + "\n";
+         "TYPE F F F U\nCOUNT 1 1 1 2\nWIDTH " +
+         points + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + points + "\nDATA " + data + "\n";
 }
 
 }  // namespace
@@ -95,6 +95,9 @@ TEST_CASE("XYZ and CSV: what is wrong is named with its line") {
   CHECK(refused("", "no points"));
   CHECK(refused("# nothing\n\n", "no points"));
   CHECK(refused(std::string("1 2 3\n\0 1 2\n", 12), "line 2: a zero byte"));
+  CHECK(refused(std::string("1 2 3\n1 \0002 3\n", 13), "line 2: a zero byte"));
+  CHECK(refused("x,y,x,z\n1,2,3,4\n", "line 1: there are two columns x among the names 'x,y,x,z'"));
+  CHECK(refused("x y Z z\n1 2 3 4\n", "line 1: there are two columns z"));
   CHECK(refused("0x10 1 2\n1 2 3\n", "line 1"));
   CHECK(points_of("1e-999 0 0\n") == Points{{0, 0, 0}});
 }
@@ -133,7 +136,13 @@ TEST_CASE("PLY: headers that promise or name the wrong things") {
   CHECK(refused(begin + "element vertex 99999999999\n" + xyz + "1 2 3\n", "line 8: the file ends after 1 of"));
   CHECK(refused("ply\nformat binary_little_endian 1.0\nelement vertex 99999999999\n" + xyz + "abc",
                 "the file ends inside"));
-  CHECK(refused(begin + "element vertex -1\n" + xyz, "line 3: an element without its number"));
+  CHECK(refused(begin + "element vertex -1\n" + xyz, "line 3: the number of elements 'vertex' is '-1'"));
+  CHECK(refused(begin + "element vertex\n" + xyz, "line 3: an element without its name and number"));
+  CHECK(refused(begin + "element vertex 1\nproperty double x\n" + xyz + "1 2 3 4\n",
+                "line 5: there is a second property x of 'vertex'"));
+  CHECK(refused(begin + "element vertex 1\nproperty float x\nelement vertex 1\n" + xyz,
+                "line 5: there is a second element 'vertex'"));
+  CHECK(refused(begin + "element vertex 1\n" + xyz + std::string("1 2\0 3\n", 7), "line 8: y is '2?'"));
   CHECK(refused(begin + "element vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n", "no property z"));
   CHECK(refused(begin + "element vertex 1\nproperty quad x\n", "line 4: unknown type 'quad'"));
   CHECK(refused(begin + "property float x\n", "line 3: a property that belongs to nothing"));
@@ -158,13 +167,35 @@ TEST_CASE("PCD: ASCII and binary, fields of several values") {
   CHECK(points_of(binary) == Points{{1.5, 2, 3}, {-4.5, 0, 0.001}});
   CHECK(refused(binary.substr(0, binary.size() - 1), "the file ends after 1 of 2 points"));
   CHECK(refused(pcd_header("ascii", "3") + "1 2 3 7 7\n-4.5 0 0.001 8 8\n", "line 13: the file ends after 2 of 3"));
-  CHECK(refused(pcd_header("ascii", "1") + "1 2\n", "line 12: z is no number"));
+  CHECK(refused(pcd_header("ascii", "1") + "1 2\n", "line 12: z is missing"));
   CHECK(refused(pcd_header("binary_compressed", "2"), "line 11: the data are 'binary_compressed'"));
   CHECK(refused(pcd_header("ascii", "many"), "accepted") == false);
   CHECK(refused("VERSION 0.7\nFIELDS x y\nSIZE 4 4\nTYPE F F\nPOINTS 1\nDATA ascii\n1 2\n", "no field z"));
   CHECK(refused("VERSION 0.7\nFIELDS x y z\nSIZE 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\n", "as many entries"));
   CHECK(refused("VERSION 0.7\nFIELDS x y z\nSIZE 4 4 3\nTYPE F F F\nPOINTS 1\nDATA ascii\n", "'F3'"));
   CHECK(refused("VERSION 0.7\nFIELDS x y z\n", "the header does not end"));
+}
+
+TEST_CASE("PCD: a header that contradicts itself is refused") {
+  const auto header = [](const std::string& counts, const std::string& fields = "x y z") {
+    return "VERSION 0.7\nFIELDS " + fields + "\nSIZE 4 4 4" + (fields.size() > 5 ? " 4" : "") + "\nTYPE F F F" +
+           (fields.size() > 5 ? " F" : "") + "\n" + counts + "DATA ascii\n1 2 3 4\n";
+  };
+  CHECK(points_of(header("POINTS 1\n")) == Points{{1, 2, 3}});
+  CHECK(points_of(header("WIDTH 1\nHEIGHT 1\n")) == Points{{1, 2, 3}});
+  CHECK(points_of(header("WIDTH 1\nHEIGHT 1\nPOINTS 1\n")) == Points{{1, 2, 3}});
+  CHECK(refused(header("WIDTH 10\nHEIGHT 1\nPOINTS 1\n"), "line 8: WIDTH 10 times HEIGHT 1 is not POINTS 1"));
+  const std::string large = "WIDTH 4294967296\nHEIGHT 4294967296\n";
+  CHECK(refused(header(large), "line 7: WIDTH 4294967296 times HEIGHT 4294967296 is too large"));
+  CHECK(refused(header(large + "POINTS 0\n"), "is too large"));
+  CHECK(refused(header("POINTS -1\n"), "line 6: POINTS is '-1'"));
+  CHECK(refused(header("WIDTH 1 1\nHEIGHT 1\nPOINTS 1\n"), "WIDTH is '1'"));
+  CHECK(refused(header("WIDTH 1\n"), "does not say how many points"));
+  CHECK(refused(header("POINTS 1\nPOINTS 1\n"), "line 6: there is a second line 'POINTS'"));
+  CHECK(refused(header("POINTS 1\n", "x y x z"), "there are two fields x"));
+  // Fields that fill up may share a name.
+  CHECK(points_of("VERSION 0.7\nFIELDS _ x y z _\nSIZE 1 4 4 4 1\nTYPE U F F F U\nPOINTS 1\nDATA ascii\n0 1 2 3 0\n") ==
+        Points{{1, 2, 3}});
 }
 
 TEST_CASE("labelled_ply: read again it gives the same points") {

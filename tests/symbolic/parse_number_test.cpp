@@ -63,6 +63,11 @@ TEST_CASE("parse_number: what is no number is refused at its place") {
   }
 }
 
+TEST_CASE("parse_number: an empty number is called so") {
+  for (const char* text : {"", " ", " \t\n"}) CHECK_THROWS_WITH_AS(parse_number(text), "a number is empty", ParseError);
+  CHECK_THROWS_WITH_AS(parse_number("1/"), "unexpected the end in a number", ParseError);
+}
+
 TEST_CASE("parse_number: the limits are reached exactly where they say") {
   CHECK(parse_number(std::string(1'000'000, '9')).numerator().bit_length() == 3321929);
   CHECK_THROWS_AS(parse_number(std::string(1'000'001, '9')), LimitReached);
