@@ -30,9 +30,11 @@ bool apart(const PatchPart& a, const PatchPart& b) {
   return false;
 }
 
-PartTree::PartTree(const symbolic::SurfacePiece& patch, std::size_t kind) : patch_(patch), kind_(kind) {
+PartTree::PartTree(const symbolic::SurfacePiece& patch, std::size_t kind,
+                   const std::optional<std::array<Rational, 3>>& origin)
+    : patch_(patch), kind_(kind) {
   const PreparedNet whole = prepared_patch(patch, "");
-  rounded_ = whole.rounded(whole.origin());
+  rounded_ = whole.rounded(origin.value_or(whole.origin()));
   add({Interval{Rational(0), Rational(1)}, Interval{Rational(0), Rational(1)}});
 }
 

@@ -29,7 +29,10 @@ bool apart(const PatchPart& a, const PatchPart& b);
 /// through corners of pairs of parts.
 class PartTree {
  public:
-  PartTree(const symbolic::SurfacePiece& patch, std::size_t kind);
+  /// Boxes in space are relative to the origin, one of the patch's own where none is given: parts of trees that are
+  /// compared have the same.
+  PartTree(const symbolic::SurfacePiece& patch, std::size_t kind,
+           const std::optional<std::array<symbolic::Rational, 3>>& origin = std::nullopt);
 
   const PatchPart& part(std::size_t index) const { return parts_[index]; }
   /// The four parts of a part, cut now if they are not there yet. References to parts become invalid.

@@ -12,6 +12,7 @@
 #include <eliminant/intersect/branch_spline.hpp>
 #include <eliminant/intersect/equal_surfaces.hpp>
 #include <eliminant/intersect/implicit_section.hpp>
+#include <eliminant/intersect/joined_self_intersection.hpp>
 #include <eliminant/intersect/one_sign_parts.hpp>
 #include <eliminant/intersect/overlap_borders.hpp>
 #include <eliminant/intersect/patch_pair.hpp>
@@ -28,6 +29,10 @@ using symbolic::SurfacePiece;
 
 bool is_triangular(const ParametricSurface& surface) {
   return surface.pieces.front().map.kind() == RationalSurface::Kind::triangular;
+}
+
+bool has_one_sign_of_weights(const symbolic::SurfacePiece& piece) {
+  return has_positive_weights(prepared_patch(piece, "first"));
 }
 
 bool is_whole(const ParametricSurface& surface) { return !surface.pieces.front().region; }
@@ -161,15 +166,17 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
 SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem& problem, const Options& options,
                                             const Context& context) {
   const auto& pieces = problem.surface.pieces;
-  if (is_triangular(problem.surface))
-    throw InvalidInput("the self-intersection of a surface of three homogeneous parameters is not computed yet",
-                       "two parameters");
+  const bool whole = is_whole(problem.surface);
+  if (whole && is_triangular(problem.surface))
+    throw InvalidInput(
+        "the self-intersection of a surface of three homogeneous parameters without a domain is not computed yet",
+        "\"domain\": \"triangle\", or two parameters");
   const Options tracing = tracing_options(options);
-  if (pieces.size() != 1)
-    throw InvalidInput("the self-intersection of a surface of several pieces is not computed yet", "one patch");
-  SurfaceResult result = is_whole(problem.surface)
-                             ? intersect_whole_surface_with_itself(pieces.front().map, tracing, context)
-                             : intersect_patch_with_itself(pieces.front(), tracing, context);
+  const bool is_patch =
+      pieces.size() == 1 && !is_triangular(problem.surface) && (whole || has_one_sign_of_weights(pieces.front()));
+  SurfaceResult result = whole      ? intersect_whole_surface_with_itself(pieces.front().map, tracing, context)
+                         : is_patch ? intersect_patch_with_itself(pieces.front(), tracing, context)
+                                    : intersect_joined_surface_with_itself(problem.surface, tracing, context);
   result.problem = "self_intersection";
   fit_splines(result, options);
   return result;

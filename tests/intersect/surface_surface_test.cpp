@@ -153,7 +153,7 @@ TEST_CASE("Splines are fitted on request, with their error") {
   CHECK(fitted.components[0].spline->control_points.size() < fitted.components[0].points.size());
 }
 
-TEST_CASE("Two equations, three homogeneous parameters and several pieces with themselves are refused") {
+TEST_CASE("Two equations, and three homogeneous parameters without a domain, are refused") {
   const Context context;
   const std::vector<std::string> names{"x", "y", "z"};
   const symbolic::Polynomial sphere = symbolic::parse_polynomial("x^2 + y^2 + z^2 - 1", names);
@@ -161,6 +161,6 @@ TEST_CASE("Two equations, three homogeneous parameters and several pieces with t
   ParametricSurface projective{{symbolic::bezier_triangle(1, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}})}};
   projective.pieces.front().region.reset();
   CHECK_THROWS_AS(intersect_surface_surface({half_cylinder(), projective}, {}, context), InvalidInput);
-  CHECK_THROWS_AS(intersect_surface_with_itself({half_cylinder()}, {}, context), InvalidInput);
+  CHECK_THROWS_AS(intersect_surface_with_itself({projective}, {}, context), InvalidInput);
   CHECK_THROWS_AS(intersect_surface_surface({bounded({"u", "u", "u"}), half_cylinder()}, {}, context), InvalidInput);
 }
