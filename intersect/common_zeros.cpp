@@ -14,8 +14,8 @@ namespace {
 using symbolic::Polynomial;
 using symbolic::Rational;
 
-constexpr std::size_t most_boxes = 20000;
-constexpr int most_halvings = 48;
+constexpr std::size_t most_boxes = 50000;
+constexpr int most_halvings = 80;
 
 /// Bernstein coefficients on a box, of u^i v^j at i (n + 1) + j.
 struct Bernstein {

@@ -10,6 +10,7 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/common_zeros.hpp>
 #include <eliminant/intersect/implicit_section.hpp>
+#include <eliminant/intersect/section_factors.hpp>
 #include <eliminant/intersect/surface_charts.hpp>
 #include <eliminant/symbolic/elimination/linear_inversion.hpp>
 
@@ -83,16 +84,32 @@ class ParameterReader {
   std::vector<std::pair<LinearForm, LinearForm>> forms_;
 };
 
-/// F and the witnesses of the inversion on the other surface.
-bool has_unique_parameters(const RationalSurface& surface, const LinearInversion& inversion, const Context& context) {
+/// The form F on the surface without multiplicities and without the factors that divide the weight: its real zeros are
+/// those of F at finite points of space, and limits of them.
+BidegreeForm reduced_section(const RationalSurface& surface, const Polynomial& form, std::uint64_t seed) {
+  const Polynomial section = form.compose(surface.coordinates());
+  BidegreeForm result{Polynomial::constant(2, 1), {0, 0}};
+  for (const SectionFactor& factor : section_factors(surface, section, seed))
+    if (factor.kind != SectionFactorKind::at_infinity) result.polynomial = result.polynomial * factor.factor;
+  const std::array<long, 2> bidegree = surface.bidegree();
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool vanishes = section.degree(k) < form.total_degree() * bidegree[k];
+    const bool weight_vanishes = surface.coordinates()[3].degree(k) < bidegree[k];
+    result.degrees[k] = result.polynomial.degree(k) + (vanishes && !weight_vanishes ? 1 : 0);
+  }
+  return result;
+}
+
+/// Where F is zero on the other surface, not all witnesses of the inversion are.
+bool has_unique_parameters(const RationalSurface& surface, const LinearInversion& inversion, const Options& options,
+                           const Context& context) {
   if (inversion.is_inverse_everywhere()) return true;
   const std::array<long, 2> bidegree = surface.bidegree();
-  const auto on_surface = [&](const Polynomial& form) {
-    const long degree = form.total_degree();
-    return BidegreeForm{form.compose(surface.coordinates()), {degree * bidegree[0], degree * bidegree[1]}};
-  };
-  std::vector<BidegreeForm> forms{on_surface(inversion.equation)};
-  for (const Polynomial& witness : inversion.witnesses) forms.push_back(on_surface(witness));
+  std::vector<BidegreeForm> forms{reduced_section(surface, inversion.equation, options.seed)};
+  for (const Polynomial& witness : inversion.witnesses) {
+    const long degree = witness.total_degree();
+    forms.push_back({witness.compose(surface.coordinates()), {degree * bidegree[0], degree * bidegree[1]}});
+  }
   std::vector<BidegreeForm> coordinates;
   for (const Polynomial& coordinate : surface.coordinates()) coordinates.push_back({coordinate, bidegree});
   return have_no_common_real_zero(forms, coordinates, context);
@@ -122,7 +139,7 @@ std::optional<SurfaceResult> section(const RationalSurface& surface, const Linea
                                          Polynomial::variable(3, 2), Polynomial::constant(3, 1)};
   const Polynomial equation = inversion.equation.compose(affine);
   if (equation.is_constant() || inversion.equation.compose(surface.coordinates()).is_zero()) return std::nullopt;
-  if (!has_unique_parameters(surface, inversion, context)) return std::nullopt;
+  if (!has_unique_parameters(surface, inversion, options, context)) return std::nullopt;
   SurfaceResult result = intersect_surface_with_equation(symbolic::ParametricSurface{{{surface, std::nullopt}}},
                                                          equation, options, context);
   if (result.limit) throw LimitReached(*result.limit);

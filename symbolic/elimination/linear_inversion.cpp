@@ -131,6 +131,25 @@ bool cover_affine_space(const std::vector<Polynomial>& witnesses, const Polynomi
                      [](const auto& relation) { return !Rational(relation.front()).is_zero(); });
 }
 
+/// With the same zeros on the surface: each of these linear forms that divides it modulo the equation only once. Closer
+/// to linear near its zeros, so that less precision tells what is not zero.
+Polynomial with_simple_factors(Polynomial witness, const std::vector<LinearParameter>& quotients,
+                               const Polynomial& equation) {
+  Polynomial simple = Polynomial::constant(4, 1);
+  for (const LinearParameter& q : quotients)
+    for (const Polynomial* form : {&q.denominator, &q.numerator}) {
+      bool divides = false;
+      while (!form->is_zero()) {
+        const auto rest = quotient_modulo(witness, *form, equation);
+        if (!rest) break;
+        witness = *rest;
+        divides = true;
+      }
+      if (divides) simple = simple * *form;
+    }
+  return witness * simple;
+}
+
 }  // namespace
 
 bool LinearInversion::is_inverse_everywhere() const {
@@ -154,7 +173,7 @@ std::optional<LinearInversion> linear_inversion(const RationalSurface& surface) 
       std::optional<Polynomial> g = quotient_modulo(weight_at(surface, s, t), w, result.equation);
       if (!g || quotient_modulo(*g, result.equation, result.equation)) continue;
       while (const auto divided = quotient_modulo(*g, w, result.equation)) g = divided;
-      result.witnesses.push_back(*std::move(g));
+      result.witnesses.push_back(with_simple_factors(*std::move(g), {s, t}, result.equation));
     }
   if (result.witnesses.empty()) return std::nullopt;
   if (!result.is_inverse_everywhere() && cover_affine_space(result.witnesses, result.equation))
