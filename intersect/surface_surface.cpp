@@ -12,6 +12,7 @@
 #include <eliminant/intersect/branch_spline.hpp>
 #include <eliminant/intersect/equal_surfaces.hpp>
 #include <eliminant/intersect/implicit_section.hpp>
+#include <eliminant/intersect/inverted_section.hpp>
 #include <eliminant/intersect/joined_self_intersection.hpp>
 #include <eliminant/intersect/one_sign_parts.hpp>
 #include <eliminant/intersect/overlap_borders.hpp>
@@ -81,12 +82,18 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
   return result;
 }
 
-/// By charts, whose curves are traced to the tolerance, where that is proven; else by the eliminant, which is told in
-/// any case.
+/// As a section of one surface where the other one has inverses; by charts, whose curves are traced to the tolerance,
+/// too, where that is proven; else by the eliminant, which is told in any case.
 SurfaceResult intersect_whole(const ParametricSurface& first, const ParametricSurface& second, const Options& options,
                               const Context& context) {
   const RationalSurface& a = first.pieces.front().map;
   const RationalSurface& b = second.pieces.front().map;
+  if (options.engine == Engine::automatic && options.certify) {
+    if (auto result = intersect_by_inversion(a, b, options, context)) {
+      result->projection = SurfaceProjection{{"u", "t"}, symbolic::intersection_eliminant(a, b, options.seed, context)};
+      return *std::move(result);
+    }
+  }
   // Charts of one surface overlap each other everywhere.
   if (options.engine != Engine::exact && !are_one_surface(a, b, options, context)) {
     SurfaceResult by_charts = intersect_charts(first, second, options, context);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <eliminant/symbolic/arithmetic/polynomial.hpp>
+#include <eliminant/symbolic/geometry/rational_surface.hpp>
+
+namespace eliminant::symbolic {
+
+/// A parameter of a surface as a quotient of two linear forms in its point (x, y, z, w).
+struct LinearParameter {
+  Polynomial numerator{4};
+  Polynomial denominator{4};
+};
+
+/// The way back from the points of a surface of low degree to its parameters, by moving planes of degree 1 in one
+/// parameter and 0 in the other.
+struct LinearInversion {
+  /// Irreducible form in x, y, z, w with integer coefficients, zero on the surface.
+  Polynomial equation{4};
+  /// Of s and of t: every (s, t) of a point satisfies s = numerator / denominator, unless both vanish there.
+  std::array<std::vector<LinearParameter>, 2> parameters;
+  /// A real point with w != 0 on `equation` = 0 on which one of these is not zero is the image of one pair of real
+  /// parameters, infinite ones included, and of no other, complex ones included. One that is constant serves all
+  /// points.
+  std::vector<Polynomial> witnesses;
+
+  bool is_inverse_everywhere() const;
+};
+
+/// Planes and proper parametrisations of quadrics and of many ruled surfaces have one; nullopt for surfaces of degree
+/// above 4, or where a parameter is no such quotient (maps that cover the image several times).
+/// Method: with s = L/L', t = K/K' the map B gives B(s, t) = G (x : y : z : w) modulo the equation, for a form G found
+/// by linear algebra and freed of powers of w; where G is not zero B is defined there. The quotients hold on all of
+/// the surface because it is the closure of the image.
+std::optional<LinearInversion> linear_inversion(const RationalSurface& surface);
+
+}  // namespace eliminant::symbolic
