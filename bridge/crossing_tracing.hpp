@@ -2,8 +2,8 @@
 #pragma once
 
 #include <eliminant/base/context.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
-#include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/contact_curve.hpp>
 
 namespace eliminant::bridge {

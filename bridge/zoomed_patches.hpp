@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/symbolic/arithmetic/rational.hpp>
 

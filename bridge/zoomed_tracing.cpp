@@ -66,14 +66,14 @@ TracedArc trace_zoomed(const PatchPairNets& nets, const ZoomedPatches& zoomed, c
   for (double half = step; half > zoomed.half(); half *= step) halves.push_back(half);
   halves.push_back(zoomed.half());
   TracedArc arc =
-      BranchTracer(nets.first, nets.second).trace_near(from, goal, box, 0.5 * halves.front(), tolerance, context);
+      ArcTracer(nets.first, nets.second).trace_near(from, goal, box, 0.5 * halves.front(), tolerance, context);
   for (std::size_t i = 0; i < halves.size() && arc.proven; ++i) {
     const bool last = i + 1 == halves.size();
     const auto here = last ? std::optional(zoomed) : ZoomedPatches::around(nets, zoomed.centre(), halves[i]);
     if (!here) return {};
     const PatchPairNets local = here->nets();
     const double near = last ? chord.near : 0.25 * halves[i + 1] / halves[i];
-    const TracedArc rest = BranchTracer(local.first, local.second)
+    const TracedArc rest = ArcTracer(local.first, local.second)
                                .trace_near(here->zoomed(arc.points.back().parameters), here->zoomed(goal), whole, near,
                                            tolerance, context);
     for (const TracedPoint& point : rest.points) arc.points.push_back(here->original(point));
@@ -191,7 +191,7 @@ TracedArc trace_in_zoom(const PatchPairNets& nets, const CrossingPoint& from, co
   cell.lower = zoomed->zoomed(box.lower);
   cell.upper = zoomed->zoomed(box.upper);
   const PatchPairNets local = zoomed->nets();
-  TracedArc arc = BranchTracer(local.first, local.second).trace(placed(from), placed(to), cell, tolerance, context);
+  TracedArc arc = ArcTracer(local.first, local.second).trace(placed(from), placed(to), cell, tolerance, context);
   for (TracedPoint& point : arc.points) point = zoomed->original(point);
   return arc;
 }

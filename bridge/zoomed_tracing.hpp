@@ -4,8 +4,8 @@
 #include <array>
 
 #include <eliminant/base/context.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
-#include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/injectivity.hpp>
 #include <eliminant/bridge/pinch_point.hpp>
 #include <eliminant/bridge/zoomed_patches.hpp>

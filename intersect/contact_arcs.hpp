@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
-#include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 #include <eliminant/bridge/contact_curve.hpp>
 #include <eliminant/bridge/control_net.hpp>
 #include <eliminant/intersect/net_patches.hpp>

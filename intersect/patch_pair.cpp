@@ -10,8 +10,8 @@
 #include <Eigen/Geometry>
 
 #include <eliminant/base/error.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 #include <eliminant/bridge/branch_subdivision.hpp>
-#include <eliminant/bridge/branch_tracing.hpp>
 #include <eliminant/bridge/contact_curves.hpp>
 #include <eliminant/bridge/crossing_tracing.hpp>
 #include <eliminant/bridge/patch_border_points.hpp>
@@ -443,7 +443,7 @@ class PatchPair {
     SurfaceComponent component;
     component.kind = chain.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
     component.certified = true;
-    bridge::BranchTracer tracer(first_net_, second_net_);
+    bridge::ArcTracer tracer(first_net_, second_net_);
     for (std::size_t i = 0; i < chain.arcs.size(); ++i) {
       const bridge::CellArc& arc = graph_.arcs[chain.arcs[i]];
       bridge::TracedArc traced = traced_arc(tracer, arc);
@@ -466,7 +466,7 @@ class PatchPair {
     result_.components.push_back(std::move(component));
   }
 
-  bridge::TracedArc traced_arc(bridge::BranchTracer& tracer, const bridge::CellArc& arc) const {
+  bridge::TracedArc traced_arc(bridge::ArcTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
     const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
     if (arc.contact) return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
-#include <eliminant/intersect/branch_tracing.hpp>
 #include <eliminant/intersect/curve_topology.hpp>
 #include <eliminant/intersect/parameter_fibre.hpp>
 #include <eliminant/intersect/projection_charts.hpp>
+#include <eliminant/intersect/tube_tracing.hpp>
 #include <eliminant/symbolic/elimination/curve_events.hpp>
 
 namespace eliminant::intersect {

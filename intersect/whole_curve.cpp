@@ -91,7 +91,7 @@ void WholeCurve::mark_unbounded(BranchSeed& seed) const {
 }
 
 WholeCurve::Branch WholeCurve::trace_from(std::size_t seed, SurfaceResult& result) {
-  const BranchTracer tracer(pair_, seeds_, weights_, limits_, context_);
+  const TubeTracer tracer(pair_, seeds_, weights_, limits_, context_);
   ++visits_[seed];
   Branch branch = walk(tracer, seed, true, result);
   if (!branch.closed) {
@@ -126,7 +126,7 @@ void WholeCurve::append(Branch& branch, const TracedBranch& traced) const {
   }
 }
 
-WholeCurve::Branch WholeCurve::walk(const BranchTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result) {
+WholeCurve::Branch WholeCurve::walk(const TubeTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result) {
   Branch branch;
   branch.points.push_back(seeds_[seed].point);
   std::size_t from = seed;

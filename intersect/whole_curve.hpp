@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <eliminant/base/context.hpp>
-#include <eliminant/intersect/branch_tracing.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/projected_arcs.hpp>
 #include <eliminant/intersect/projection_charts.hpp>
 #include <eliminant/intersect/surface_result.hpp>
+#include <eliminant/intersect/tube_tracing.hpp>
 #include <eliminant/intersect/vertex_lifts.hpp>
 
 namespace eliminant::intersect {
@@ -91,7 +91,7 @@ class WholeCurve {
   void mark_unbounded(BranchSeed& seed) const;
   Branch trace_from(std::size_t seed, SurfaceResult& result);
   /// From a seed to one side, over gaps that tubes cannot pass but arcs of the projection do.
-  Branch walk(const BranchTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result);
+  Branch walk(const TubeTracer& tracer, std::size_t seed, bool forward, SurfaceResult& result);
   void append(Branch& branch, const TracedBranch& traced) const;
   /// Whether the branch ends at the end of the arc, near which it was left.
   bool is_end(const ArcEnd& end, const PointEnclosure& last, SurfaceResult& result);

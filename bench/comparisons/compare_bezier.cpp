@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
-#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -25,6 +24,7 @@
 #include <support/bezier_families.hpp>
 
 #include "bezier_solvers.hpp"
+#include "family_comparison.hpp"
 #include "tables.hpp"
 
 namespace {
@@ -32,18 +32,7 @@ namespace {
 using namespace eliminant::comparisons;
 using eliminant::test::BezierCase;
 
-struct Settings {
-  bool markdown = false;
-  bool all = false;
-  std::string only;
-};
-
-struct Row {
-  std::string name;
-  std::vector<std::string> families;
-};
-
-const std::vector<Row> rows_of_table{
+const std::vector<FamilyRow> rows_of_table{
     {"segment x bicubic patch", {"segment x bicubic"}},
     {"cubic x bicubic", {"cubic x bicubic"}},
     {"rational cubic x rational bicubic", {"rational cubic x rational bicubic"}},
@@ -68,13 +57,6 @@ struct Summary {
   std::size_t repeated = 0;  ///< beside a true solution that was found
   std::size_t invented = 0;
   std::size_t failed = 0;  ///< cases without an answer, or not certified
-
-  double median() const {
-    std::vector<double> sorted = microseconds;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted.empty() ? std::numeric_limits<double>::quiet_NaN() : sorted[sorted.size() / 2];
-  }
-  double largest() const { return *std::max_element(microseconds.begin(), microseconds.end()); }
 };
 
 double processor_microseconds() {
@@ -101,8 +83,7 @@ double time_of(const BezierRun& run) {
     for (int k = 0; k < runs; ++k) run();
     times.push_back((processor_microseconds() - start) / runs);
   }
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
+  return median(times);
 }
 
 /// How far a parameter may be from the true one and still be it: at a contact a solver of tolerance 1e-6 knows its
@@ -180,28 +161,11 @@ std::size_t solution_count(const std::vector<BezierCase>& cases) {
   return count;
 }
 
-std::string faults(const Summary& summary) {
-  std::string text;
-  const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
-  };
-  add(summary.lost, "lost");
-  add(summary.repeated, "repeated");
-  add(summary.invented, "invented");
-  add(summary.failed, "failed");
-  return text.empty() ? "-" : text;
-}
-
-std::vector<Row> chosen_rows(const Settings& settings) {
-  std::vector<Row> rows = rows_of_table;
-  if (settings.all) {
-    rows.clear();
-    for (const BezierCase& bezier : eliminant::test::bezier_cases())
-      if (rows.empty() || rows.back().name != bezier.family) rows.push_back({bezier.family, {bezier.family}});
-  }
-  std::erase_if(rows, [&](const Row& row) { return row.name.find(settings.only) == std::string::npos; });
-  if (rows.empty()) throw std::runtime_error("no family is called " + settings.only);
-  return rows;
+std::string faults_of(const Summary& summary) {
+  return faults({{summary.lost, "lost"},
+                 {summary.repeated, "repeated"},
+                 {summary.invented, "invented"},
+                 {summary.failed, "failed"}});
 }
 
 /// Keeps standard output for the tables: SISL writes its complaints there.
@@ -224,13 +188,13 @@ class QuietOutput {
   int kept_ = -1;
 };
 
-void compare(const Settings& settings) {
+void compare(const Selection& selection) {
   std::optional<QuietOutput> quiet(std::in_place);
   Table times{{"microseconds, median (largest)", "cases", "solutions"}};
   Table differences{{"against the certified answers", "OCCT", "SISL", "eliminant"}};
   for (const Solver& solver : solvers) times[0].push_back(solver.name);
   times[0].insert(times[0].end(), {"OCCT : eliminant", "SISL : eliminant"});
-  for (const Row& row : chosen_rows(settings)) {
+  for (const FamilyRow& row : chosen_rows(rows_of_table, selection, [] { return eliminant::test::bezier_cases(); })) {
     fmt::print(stderr, "{}\n", row.name);
     std::vector<BezierCase> cases;
     for (const std::string& family : row.families)
@@ -238,31 +202,22 @@ void compare(const Settings& settings) {
     const Measurements measured = measure(cases);
     times.push_back({row.name, std::to_string(cases.size()), std::to_string(solution_count(cases))});
     for (const Summary& summary : measured)
-      times.back().push_back(fmt::format("{} ({})", three_digits(summary.median()), three_digits(summary.largest())));
+      times.back().push_back(fmt::format("{} ({})", three_digits(median(summary.microseconds)),
+                                         three_digits(largest(summary.microseconds))));
     for (std::size_t i = 1; i < solvers.size(); ++i)
-      times.back().push_back(three_digits(measured[i].median() / measured[0].median()));
-    differences.push_back({row.name, faults(measured[1]), faults(measured[2]), faults(measured[0])});
+      times.back().push_back(three_digits(median(measured[i].microseconds) / median(measured[0].microseconds)));
+    differences.push_back({row.name, faults_of(measured[1]), faults_of(measured[2]), faults_of(measured[0])});
   }
   quiet.reset();
   fmt::print("eliminant {}, {}, {}\n\n", eliminant::version, occt_version(), sisl_version());
-  print_table(times, settings.markdown);
-  print_table(differences, settings.markdown);
+  print_table(times, selection.markdown);
+  print_table(differences, selection.markdown);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Settings settings;
+  Selection selection;
   CLI::App app("eliminant, OCCT and SISL on the same Bezier curves and patches", "compare_bezier");
-  app.add_flag("--markdown", settings.markdown, "tables for docs/benchmarks.md");
-  app.add_flag("--all", settings.all, "every generated family");
-  app.add_option("--only", settings.only, "only the rows whose name contains this");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    compare(settings);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "compare: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return run_comparison(app, selection, argc, argv, [&] { compare(selection); });
 }

@@ -4,9 +4,7 @@
 //   scripts/compare.sh patches [--markdown] [--only TEXT] [--all] [--limit SECONDS] [--cases N]
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +19,7 @@
 #include <support/space_distances.hpp>
 
 #include "bezier_solvers.hpp"
+#include "family_comparison.hpp"
 #include "measured_patches.hpp"
 #include "tables.hpp"
 
@@ -33,19 +32,12 @@ using eliminant::test::PatchCase;
 using eliminant::test::TrueComponent;
 
 struct Settings {
-  bool markdown = false;
-  bool all = false;
-  std::string only;
+  Selection selection;
   double limit_seconds = 10;
   unsigned long cases = std::numeric_limits<unsigned long>::max();
 };
 
-struct Row {
-  std::string name;
-  std::vector<std::string> families;
-};
-
-const std::vector<Row> rows_of_table{
+const std::vector<FamilyRow> rows_of_table{
     {"random bicubic pairs", {"random bicubic"}},
     {"random biquadratic pairs", {"random biquadratic"}},
     {"up to 10 branches and 8 loops", {"branches and loops, degree 3", "branches and loops, degree 5"}},
@@ -72,16 +64,6 @@ struct Summary {
   std::size_t hung = 0;              ///< cases, as are those below
   std::size_t crashed = 0;
   std::size_t incomplete = 0;
-
-  double median() const {
-    std::vector<double> sorted = milliseconds;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted.empty() ? std::numeric_limits<double>::quiet_NaN() : sorted[sorted.size() / 2];
-  }
-  double largest() const {
-    return milliseconds.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                : *std::max_element(milliseconds.begin(), milliseconds.end());
-  }
 };
 
 // What was found against what is there.
@@ -151,7 +133,7 @@ struct Measured {
   std::size_t components = 0;
 };
 
-Measured measure(const Row& row, const Settings& settings) {
+Measured measure(const FamilyRow& row, const Settings& settings) {
   Measured result;
   for (const std::string& family : row.families)
     for (const PatchCase& patches : eliminant::test::patch_cases(family)) {
@@ -175,29 +157,12 @@ Measured measure(const Row& row, const Settings& settings) {
   return result;
 }
 
-std::string faults(const Summary& summary) {
-  std::string text;
-  const auto add = [&](std::size_t count, const std::string& what) {
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
-  };
-  add(summary.lost, fmt::format("lost in {}", summary.damaged));
-  add(summary.invented, "invented");
-  add(summary.hung, "hung");
-  add(summary.crashed, "failed");
-  add(summary.incomplete, "not complete");
-  return text.empty() ? "-" : text;
-}
-
-std::vector<Row> chosen_rows(const Settings& settings) {
-  std::vector<Row> rows = rows_of_table;
-  if (settings.all) {
-    rows.clear();
-    for (const PatchCase& patches : eliminant::test::patch_cases())
-      if (rows.empty() || rows.back().name != patches.family) rows.push_back({patches.family, {patches.family}});
-  }
-  std::erase_if(rows, [&](const Row& row) { return row.name.find(settings.only) == std::string::npos; });
-  if (rows.empty()) throw std::runtime_error("no family is called " + settings.only);
-  return rows;
+std::string faults_of(const Summary& summary) {
+  return faults({{summary.lost, fmt::format("lost in {}", summary.damaged)},
+                 {summary.invented, "invented"},
+                 {summary.hung, "hung"},
+                 {summary.crashed, "failed"},
+                 {summary.incomplete, "not complete"}});
 }
 
 void compare(const Settings& settings) {
@@ -208,21 +173,24 @@ void compare(const Settings& settings) {
     differences[0].push_back(solver.name);
   }
   times[0].insert(times[0].end(), {"OCCT : eliminant", "SISL : eliminant"});
-  for (const Row& row : chosen_rows(settings)) {
+  for (const FamilyRow& row :
+       chosen_rows(rows_of_table, settings.selection, [] { return eliminant::test::patch_cases(); })) {
     fmt::print(stderr, "{}\n", row.name);
     const Measured measured = measure(row, settings);
     times.push_back({row.name, std::to_string(measured.cases), std::to_string(measured.components)});
     differences.push_back({row.name, std::to_string(measured.components)});
     for (const Summary& summary : measured.by_solver) {
-      times.back().push_back(fmt::format("{} ({})", three_digits(summary.median()), three_digits(summary.largest())));
-      differences.back().push_back(faults(summary));
+      times.back().push_back(fmt::format("{} ({})", three_digits(median(summary.milliseconds)),
+                                         three_digits(largest(summary.milliseconds))));
+      differences.back().push_back(faults_of(summary));
     }
     for (std::size_t i = 1; i < solvers.size(); ++i)
-      times.back().push_back(three_digits(measured.by_solver[i].median() / measured.by_solver[0].median()));
+      times.back().push_back(
+          three_digits(median(measured.by_solver[i].milliseconds) / median(measured.by_solver[0].milliseconds)));
   }
   fmt::print("eliminant {}, {}, {}\n\n", eliminant::version, occt_version(), sisl_version());
-  print_table(times, settings.markdown);
-  print_table(differences, settings.markdown);
+  print_table(times, settings.selection.markdown);
+  print_table(differences, settings.selection.markdown);
 }
 
 }  // namespace
@@ -230,17 +198,7 @@ void compare(const Settings& settings) {
 int main(int argc, char** argv) {
   Settings settings;
   CLI::App app("eliminant, OCCT and SISL on the same pairs of Bezier patches", "compare_patches");
-  app.add_flag("--markdown", settings.markdown, "tables for docs/benchmarks.md");
-  app.add_flag("--all", settings.all, "every generated family");
-  app.add_option("--only", settings.only, "only the rows whose name contains this");
   app.add_option("--limit", settings.limit_seconds, "seconds of wall-clock time for one pair (10)");
   app.add_option("--cases", settings.cases, "only the first pairs of each family");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    compare(settings);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "compare: {}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return run_comparison(app, settings.selection, argc, argv, [&] { compare(settings); });
 }

@@ -84,11 +84,11 @@ struct TracingLimits {
 };
 
 /// Follows smooth branches by overlapping tubes, without ever passing from one to another.
-class BranchTracer {
+class TubeTracer {
  public:
   /// All must outlive the object.
-  BranchTracer(const SurfacePair& pair, const std::vector<BranchSeed>& seeds, const std::vector<WeightFactor>& weights,
-               const TracingLimits& limits, const Context& context)
+  TubeTracer(const SurfacePair& pair, const std::vector<BranchSeed>& seeds, const std::vector<WeightFactor>& weights,
+             const TracingLimits& limits, const Context& context)
       : pair_(pair), seeds_(seeds), weights_(weights), limits_(limits), context_(context) {}
 
   /// From a seed, to increasing or decreasing values of its axis in its chart, until the branch is back at the seed

@@ -8,7 +8,7 @@
 #include <support/traced_arcs.hpp>
 
 #include <eliminant/base/error.hpp>
-#include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 
 using namespace eliminant;
 using namespace eliminant::bridge;
@@ -27,7 +27,7 @@ std::vector<TracedArc> trace_all(const NetPair& nets, double tolerance) {
   const Context context;
   const BranchGraph graph = branch_graph(nets);
   REQUIRE(graph.open.empty());
-  BranchTracer tracer(nets.first, nets.second);
+  ArcTracer tracer(nets.first, nets.second);
   std::vector<TracedArc> arcs;
   for (const CellArc& arc : graph.arcs)
     arcs.push_back(tracer.trace(graph.points[arc.from], graph.points[arc.to], arc.box, tolerance, context));
@@ -57,7 +57,7 @@ CrossingPoint at(double u, double v) {
 
 }  // namespace
 
-TEST_CASE("Branch tracing: lines and circles within the error, and that within the tolerance") {
+TEST_CASE("Arc tracing: lines and circles within the error, and that within the tolerance") {
   check_arcs({ground, {"u", "v", "u + 2*v - 1"}},
              [](const Point& p) { return std::hypot((p[0] + 2 * p[1] - 1) / std::sqrt(5.0), p[2]); });
   const auto circle = [](double radius, double height) {
@@ -76,7 +76,7 @@ TEST_CASE("Branch tracing: lines and circles within the error, and that within t
   });
 }
 
-TEST_CASE("Branch tracing: the arc is never farther from its polyline than the error") {
+TEST_CASE("Arc tracing: the arc is never farther from its polyline than the error") {
   const NetPair nets(ground, {"u", "v", "(u - 1/2)^2 + (v - 1/2)^2 - 1/9"});
   for (const double tolerance : {1e-2, 1e-4, 1e-7})
     for (const TracedArc& arc : trace_all(nets, tolerance))
@@ -91,12 +91,12 @@ TEST_CASE("Branch tracing: the arc is never farther from its polyline than the e
       }
 }
 
-TEST_CASE("Branch tracing: points are on both patches, from one crossing point to the other") {
+TEST_CASE("Arc tracing: points are on both patches, from one crossing point to the other") {
   const NetPair nets({"u", "v", "u^2 + v^2"}, {"v", "u", "1/3 + u*v/2"});
   const Context context;
   const BranchGraph graph = branch_graph(nets);
   REQUIRE_FALSE(graph.arcs.empty());
-  BranchTracer tracer(nets.first, nets.second);
+  ArcTracer tracer(nets.first, nets.second);
   for (const CellArc& cell : graph.arcs) {
     const TracedArc arc = tracer.trace(graph.points[cell.from], graph.points[cell.to], cell.box, 1e-6, context);
     REQUIRE(arc.proven);
@@ -115,20 +115,20 @@ TEST_CASE("Branch tracing: points are on both patches, from one crossing point t
   }
 }
 
-TEST_CASE("Branch tracing: never proven between points of different arcs, or beyond the box") {
+TEST_CASE("Arc tracing: never proven between points of different arcs, or beyond the box") {
   const Context context;
   for (const char* gap : {"1/4", "1/64", "1/4096"}) {
     const std::string distance = gap;
     CAPTURE(distance);
     const NetPair lines(ground, {"u", "v", "(u - 1/2)*(u - 1/2 - " + distance + ")"});
     const double other = 0.5 + (distance == "1/4" ? 0.25 : distance == "1/64" ? 1.0 / 64 : 1.0 / 4096);
-    BranchTracer tracer(lines.first, lines.second);
+    ArcTracer tracer(lines.first, lines.second);
     CHECK(tracer.trace(at(0.5, 0), at(0.5, 1), everything, 1e-3, context).proven);
     CHECK_FALSE(tracer.trace(at(0.5, 0), at(other, 1), everything, 1e-3, context).proven);
     CHECK_FALSE(tracer.trace(at(0.5, 0.25), at(other, 0.25), everything, 1e-3, context).proven);
   }
   const NetPair circle(ground, {"u", "v", "(u - 1/2)^2 + (v - 1/2)^2 - 1/9"});
-  BranchTracer tracer(circle.first, circle.second);
+  ArcTracer tracer(circle.first, circle.second);
   const CellBox half{{0, 0, 0, 0}, {0.5, 1, 0.5, 1}};
   CHECK(tracer.trace(at(0.5, 5.0 / 6), at(0.5, 1.0 / 6), half, 1e-6, context).proven);
   const CellBox quarter{{0.25, 0.5, 0.25, 0.5}, {0.5, 1, 0.5, 1}};
@@ -138,12 +138,12 @@ TEST_CASE("Branch tracing: never proven between points of different arcs, or bey
   CHECK_THROWS_AS(tracer.trace(at(0.5, 5.0 / 6), at(0.5, 1.0 / 6), half, 1e-12, cancelled), LimitReached);
 }
 
-TEST_CASE("Branch tracing: near a goal") {
+TEST_CASE("Arc tracing: near a goal") {
   const Context context;
   const NetPair circle(ground, {"u", "v", "(u - 1/2)^2 + (v - 1/2)^2 - 1/9"});
   for (const double near : {1e-1, 1e-3, 1e-6}) {
     const TracedArc arc =
-        BranchTracer(circle.first, circle.second)
+        ArcTracer(circle.first, circle.second)
             .trace_near(at(0.5, 5.0 / 6).parameters, at(5.0 / 6, 0.5).parameters, everything, near, 1e-7, context);
     CHECK(arc.proven);
     for (std::size_t k = 0; k < 4; ++k)

@@ -35,10 +35,10 @@ struct TracedArc {
 /// C, from bounds on the second derivatives. That also bounds how far the arc is from the segment, in the parameters
 /// and in space, by the square of |d|, so that the steps follow from the tolerance. Source: Krawczyk's test with a
 /// parameter, as for paths in [Krawczyk1969].
-class BranchTracer {
+class ArcTracer {
  public:
   /// The nets must outlive the object.
-  BranchTracer(const ControlNet& first, const ControlNet& second);
+  ArcTracer(const ControlNet& first, const ControlNet& second);
 
   /// An arc in its cell; `tolerance` is the distance allowed in space.
   TracedArc trace(const CrossingPoint& from, const CrossingPoint& to, const CellBox& box, double tolerance,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <eliminant/intersect/branch_tracing.hpp>
+#include <eliminant/intersect/tube_tracing.hpp>
 
 #include <cmath>
 #include <limits>
@@ -90,7 +90,7 @@ std::vector<WeightFactor> weight_factors(const symbolic::RationalSurface& first,
   return result;
 }
 
-BranchTracer::Crossing BranchTracer::crossing(const BranchSegment& segment, const BranchSeed& seed) const {
+TubeTracer::Crossing TubeTracer::crossing(const BranchSegment& segment, const BranchSeed& seed) const {
   const BranchTube& tube = segment.tube;
   const ParameterBox goal = in_charts(seed.point.box, seed.point.inverted, tube.centre.inverted);
   for (std::size_t i = 0; i < 4; ++i)
@@ -126,7 +126,7 @@ BranchTracer::Crossing BranchTracer::crossing(const BranchSegment& segment, cons
   return {Passage::passes, rises != reversed};
 }
 
-std::optional<bool> BranchTracer::crosses_infinity(const BranchSegment& segment) const {
+std::optional<bool> TubeTracer::crosses_infinity(const BranchSegment& segment) const {
   bool crosses = false;
   for (const WeightFactor& factor : weights_) {
     const auto on_hull = factor.jet(segment.tube.centre.inverted, segment.tube.hull);
@@ -142,7 +142,7 @@ std::optional<bool> BranchTracer::crosses_infinity(const BranchSegment& segment)
   return crosses;
 }
 
-double BranchTracer::chord_error(const BranchSegment& segment) const {
+double TubeTracer::chord_error(const BranchSegment& segment) const {
   const BranchTube& tube = segment.tube;
   const SpaceBox speed = pair_.velocity(tube.centre.inverted, tube.hull, tube.velocity);
   const double length = std::fabs(middle(segment.end.box[tube.axis]) - middle(segment.start.box[tube.axis])) + 1e-15;
@@ -160,8 +160,8 @@ double BranchTracer::chord_error(const BranchSegment& segment) const {
   return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
 }
 
-std::optional<BranchSegment> BranchTracer::advance(const PointEnclosure& from, const std::array<double, 4>& direction,
-                                                   double step) const {
+std::optional<BranchSegment> TubeTracer::advance(const PointEnclosure& from, const std::array<double, 4>& direction,
+                                                 double step) const {
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 4; ++i)
     if (std::fabs(direction[i]) > std::fabs(direction[axis])) axis = i;
@@ -188,7 +188,7 @@ std::optional<BranchSegment> BranchTracer::advance(const PointEnclosure& from, c
   return segment;
 }
 
-TracedBranch BranchTracer::trace(std::size_t seed, bool forward, std::size_t origin) const {
+TracedBranch TubeTracer::trace(std::size_t seed, bool forward, std::size_t origin) const {
   TracedBranch result;
   PointEnclosure at = seeds_[seed].point;
   auto direction = branch_direction(pair_, centre_of(at));

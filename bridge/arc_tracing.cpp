@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <eliminant/bridge/branch_tracing.hpp>
+#include <eliminant/bridge/arc_tracing.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -182,17 +182,17 @@ class ArcTracing {
 
 }  // namespace
 
-BranchTracer::BranchTracer(const ControlNet& first, const ControlNet& second) : first_(first), second_(second) {}
+ArcTracer::ArcTracer(const ControlNet& first, const ControlNet& second) : first_(first), second_(second) {}
 
-TracedArc BranchTracer::trace(const CrossingPoint& from, const CrossingPoint& to, const CellBox& box, double tolerance,
-                              const Context& context) {
+TracedArc ArcTracer::trace(const CrossingPoint& from, const CrossingPoint& to, const CellBox& box, double tolerance,
+                           const Context& context) {
   PatchDifference patches(first_, second_);
   ArcTracing tracing(patches, box, tolerance);
   return tracing.run(vector_of(from.parameters), vector_of(to.parameters), context);
 }
 
-TracedArc BranchTracer::trace_near(const std::array<double, 4>& from, const std::array<double, 4>& goal,
-                                   const CellBox& box, double near, double tolerance, const Context& context) {
+TracedArc ArcTracer::trace_near(const std::array<double, 4>& from, const std::array<double, 4>& goal,
+                                const CellBox& box, double near, double tolerance, const Context& context) {
   PatchDifference patches(first_, second_);
   ArcTracing tracing(patches, box, tolerance);
   return tracing.run(vector_of(from), vector_of(goal), near, context);
