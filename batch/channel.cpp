@@ -10,7 +10,7 @@
 #include <cstring>
 #include <memory>
 
-#include <eliminant/io/error_report.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 namespace eliminant::batch {
 

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include <eliminant/io/error_report.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 namespace eliminant::batch {
 

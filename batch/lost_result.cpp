@@ -5,10 +5,10 @@
 
 #include <charconv>
 
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/json_layout.hpp>
-#include <eliminant/io/json_text.hpp>
-#include <eliminant/io/stated_kind.hpp>
+#include <eliminant/io/input/json_text.hpp>
+#include <eliminant/io/input/stated_kind.hpp>
+#include <eliminant/io/results/error_report.hpp>
+#include <eliminant/io/results/json_layout.hpp>
 
 namespace eliminant::batch {
 

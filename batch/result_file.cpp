@@ -15,7 +15,7 @@
 #include <vector>
 
 #include <eliminant/base/error.hpp>
-#include <eliminant/io/error_report.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 namespace eliminant::batch {
 

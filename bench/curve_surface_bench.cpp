@@ -5,8 +5,8 @@
 //   scripts/bench.sh curve_surface [--benchmark_filter=REGEX ...]
 #include <benchmark/benchmark.h>
 
-#include <eliminant/intersect/bezier_intersection.hpp>
-#include <eliminant/intersect/curve_surface.hpp>
+#include <eliminant/intersect/curve_surface/bezier_intersection.hpp>
+#include <eliminant/intersect/curve_surface/curve_surface.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 #include <support/curves.hpp>
 

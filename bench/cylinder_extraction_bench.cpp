@@ -4,7 +4,7 @@
 // "points" is the number of points a second of CPU time, "samples" that of five-point samples drawn for the scene.
 #include <benchmark/benchmark.h>
 
-#include <eliminant/intersect/cylinder_extraction.hpp>
+#include <eliminant/intersect/cylinders/cylinder_extraction.hpp>
 #include <support/pipe_scenes.hpp>
 #include <support/surface_scenes.hpp>
 

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include <eliminant/intersect/cylinders.hpp>
-#include <eliminant/intersect/enclosed_cylinders.hpp>
+#include <eliminant/intersect/cylinders/cylinders.hpp>
+#include <eliminant/intersect/cylinders/enclosed_cylinders.hpp>
 
 namespace {
 

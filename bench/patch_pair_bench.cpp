@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/intersect/patch_pair.hpp>
+#include <eliminant/intersect/patches/patch_pair.hpp>
 #include <support/patch_families.hpp>
 #include <support/patch_nets.hpp>
 #include <support/self_patch_families.hpp>

@@ -4,9 +4,9 @@
 //   scripts/bench.sh plane_curves [--benchmark_filter=REGEX ...]
 #include <benchmark/benchmark.h>
 
-#include <eliminant/intersect/plane_curves.hpp>
-#include <eliminant/io/input_text.hpp>
-#include <eliminant/io/problem_file.hpp>
+#include <eliminant/intersect/plane_curves/plane_curves.hpp>
+#include <eliminant/io/input/input_text.hpp>
+#include <eliminant/io/input/problem_file.hpp>
 
 #include "setup.hpp"
 

@@ -4,11 +4,11 @@
 //   scripts/bench.sh stages [--benchmark_filter=REGEX ...]
 #include <benchmark/benchmark.h>
 
-#include <eliminant/bridge/disc_certificate.hpp>
-#include <eliminant/bridge/isolated_roots.hpp>
-#include <eliminant/bridge/krawczyk_test.hpp>
-#include <eliminant/bridge/round_matrix.hpp>
-#include <eliminant/intersect/pencil_candidates.hpp>
+#include <eliminant/bridge/certificates/disc_certificate.hpp>
+#include <eliminant/bridge/certificates/krawczyk_test.hpp>
+#include <eliminant/bridge/roots/isolated_roots.hpp>
+#include <eliminant/bridge/rounding/round_matrix.hpp>
+#include <eliminant/intersect/plane_curves/pencil_candidates.hpp>
 #include <eliminant/numeric/generalized_eigen.hpp>
 #include <eliminant/numeric/kronecker_reduction.hpp>
 #include <eliminant/numeric/multiplication_matrix.hpp>

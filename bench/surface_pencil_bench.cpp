@@ -22,9 +22,9 @@
 
 #include "setup.hpp"
 
-#include <eliminant/bridge/isolated_roots.hpp>
-#include <eliminant/bridge/round_representation.hpp>
-#include <eliminant/intersect/surface_pencil.hpp>
+#include <eliminant/bridge/roots/isolated_roots.hpp>
+#include <eliminant/bridge/rounding/round_representation.hpp>
+#include <eliminant/intersect/curve_surface/surface_pencil.hpp>
 #include <eliminant/numeric/representation_pencil.hpp>
 #include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 #include <eliminant/symbolic/elimination/pencil_structure.hpp>

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include <eliminant/io/error_report.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 namespace eliminant::cli {
 

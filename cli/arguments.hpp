@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <eliminant/base/error.hpp>
-#include <eliminant/io/run_options.hpp>
+#include <eliminant/io/input/run_options.hpp>
 
 namespace eliminant::cli {
 

@@ -8,9 +8,9 @@
 #include <map>
 
 #include <eliminant/cli/run.hpp>
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/json_layout.hpp>
-#include <eliminant/io/memory_limit.hpp>
+#include <eliminant/io/input/memory_limit.hpp>
+#include <eliminant/io/results/error_report.hpp>
+#include <eliminant/io/results/json_layout.hpp>
 #include <eliminant/version.hpp>
 
 namespace eliminant::cli {

@@ -11,8 +11,8 @@
 #include <eliminant/cli/batch.hpp>
 #include <eliminant/cli/report.hpp>
 #include <eliminant/cli/run.hpp>
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/memory_limit.hpp>
+#include <eliminant/io/input/memory_limit.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 namespace {
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <eliminant/cli/printed_result.hpp>
 
-#include <eliminant/io/curve_result_csv.hpp>
-#include <eliminant/io/curve_result_json.hpp>
-#include <eliminant/io/curve_result_text.hpp>
-#include <eliminant/io/curve_topology_csv.hpp>
-#include <eliminant/io/curve_topology_json.hpp>
-#include <eliminant/io/curve_topology_text.hpp>
-#include <eliminant/io/cylinder_extraction_csv.hpp>
-#include <eliminant/io/cylinder_extraction_json.hpp>
-#include <eliminant/io/cylinder_extraction_text.hpp>
-#include <eliminant/io/cylinders_csv.hpp>
-#include <eliminant/io/cylinders_json.hpp>
-#include <eliminant/io/cylinders_text.hpp>
-#include <eliminant/io/result_csv.hpp>
-#include <eliminant/io/result_json.hpp>
-#include <eliminant/io/result_text.hpp>
-#include <eliminant/io/surface_result_csv.hpp>
-#include <eliminant/io/surface_result_json.hpp>
-#include <eliminant/io/surface_result_text.hpp>
+#include <eliminant/io/results/curve_result_csv.hpp>
+#include <eliminant/io/results/curve_result_json.hpp>
+#include <eliminant/io/results/curve_result_text.hpp>
+#include <eliminant/io/results/curve_topology_csv.hpp>
+#include <eliminant/io/results/curve_topology_json.hpp>
+#include <eliminant/io/results/curve_topology_text.hpp>
+#include <eliminant/io/results/cylinder_extraction_csv.hpp>
+#include <eliminant/io/results/cylinder_extraction_json.hpp>
+#include <eliminant/io/results/cylinder_extraction_text.hpp>
+#include <eliminant/io/results/cylinders_csv.hpp>
+#include <eliminant/io/results/cylinders_json.hpp>
+#include <eliminant/io/results/cylinders_text.hpp>
+#include <eliminant/io/results/result_csv.hpp>
+#include <eliminant/io/results/result_json.hpp>
+#include <eliminant/io/results/result_text.hpp>
+#include <eliminant/io/results/surface_result_csv.hpp>
+#include <eliminant/io/results/surface_result_json.hpp>
+#include <eliminant/io/results/surface_result_text.hpp>
 
 namespace eliminant::cli {
 

@@ -4,14 +4,14 @@
 #include <optional>
 #include <string>
 
-#include <eliminant/intersect/curve_result.hpp>
-#include <eliminant/intersect/curve_topology.hpp>
-#include <eliminant/intersect/cylinder_extraction.hpp>
-#include <eliminant/intersect/cylinders.hpp>
+#include <eliminant/intersect/curves/curve_result.hpp>
+#include <eliminant/intersect/cylinders/cylinder_extraction.hpp>
+#include <eliminant/intersect/cylinders/cylinders.hpp>
+#include <eliminant/intersect/patches/surface_result.hpp>
 #include <eliminant/intersect/result.hpp>
-#include <eliminant/intersect/surface_result.hpp>
-#include <eliminant/io/problem_file.hpp>
-#include <eliminant/io/surface_result_words.hpp>
+#include <eliminant/intersect/topology/curve_topology.hpp>
+#include <eliminant/io/input/problem_file.hpp>
+#include <eliminant/io/results/surface_result_words.hpp>
 
 namespace eliminant::cli {
 

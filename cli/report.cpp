@@ -5,11 +5,11 @@
 #include <exception>
 
 #include <eliminant/cli/answer.hpp>
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/html_report.hpp>
-#include <eliminant/io/input_text.hpp>
-#include <eliminant/io/result_picture.hpp>
-#include <eliminant/io/svg_picture.hpp>
+#include <eliminant/io/input/input_text.hpp>
+#include <eliminant/io/pictures/html_report.hpp>
+#include <eliminant/io/pictures/result_picture.hpp>
+#include <eliminant/io/pictures/svg_picture.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 namespace eliminant::cli {
 

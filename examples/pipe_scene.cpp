@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <eliminant/io/ply_file.hpp>
+#include <eliminant/io/point_clouds/ply_file.hpp>
 #include <support/pipe_scenes.hpp>
 
 namespace {

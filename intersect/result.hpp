@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/bridge/ball.hpp>
-#include <eliminant/intersect/certificate.hpp>
+#include <eliminant/bridge/enclosures/ball.hpp>
+#include <eliminant/intersect/plane_curves/certificate.hpp>
 #include <eliminant/symbolic/arithmetic/polynomial.hpp>
 
 namespace eliminant::intersect {

@@ -16,8 +16,8 @@
 #include <eliminant/cli/answer.hpp>
 #include <eliminant/cli/arguments.hpp>
 #include <eliminant/cli/batch.hpp>
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/memory_limit.hpp>
+#include <eliminant/io/input/memory_limit.hpp>
+#include <eliminant/io/results/error_report.hpp>
 #include <eliminant/mpi/distributed_batch.hpp>
 
 namespace {

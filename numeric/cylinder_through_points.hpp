@@ -52,8 +52,8 @@ AtMostSix<ComplexDirection> cylinder_directions(const std::array<std::array<doub
 SpaceVector<double> axis_offset(const std::array<SpaceVector<double>, 4>& offsets, const SpaceVector<double>& t);
 
 /// The real circular cylinders through five points, in doubles, at most six. Guarantee: none; see
-/// intersect/cylinders.hpp for proven ones. Infinitely many, as for coplanar points and three on a line: empty, or some
-/// of them. The points should not be so far from the origin that their differences lose digits.
+/// intersect/cylinders/cylinders.hpp for proven ones. Infinitely many, as for coplanar points and three on a line:
+/// empty, or some of them. The points should not be so far from the origin that their differences lose digits.
 AtMostSix<Cylinder> real_cylinders_through(const std::array<std::array<double, 3>, 5>& points);
 
 }  // namespace eliminant::numeric

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <eliminant/intersect/cylinder_extraction.hpp>
+#include <eliminant/intersect/cylinders/cylinder_extraction.hpp>
 #include <support/pipe_scenes.hpp>
 
 #include "cylinder_solvers.hpp"

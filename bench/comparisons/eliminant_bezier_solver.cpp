@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
-#include <eliminant/intersect/bezier_intersection.hpp>
+#include <eliminant/intersect/curve_surface/bezier_intersection.hpp>
 
 #include "bezier_solvers.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
 
-#include <eliminant/intersect/patch_pair.hpp>
+#include <eliminant/intersect/patches/patch_pair.hpp>
 #include <support/patch_nets.hpp>
 
 #include "patch_solvers.hpp"

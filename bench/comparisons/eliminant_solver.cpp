@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/plane_curves/plane_curves.hpp>
 
 #include "solvers.hpp"
 

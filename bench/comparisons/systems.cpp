@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include <eliminant/io/input_text.hpp>
-#include <eliminant/io/problem_file.hpp>
+#include <eliminant/io/input/input_text.hpp>
+#include <eliminant/io/input/problem_file.hpp>
 
 #include "../setup.hpp"  // which also gives LAPACK one thread
 

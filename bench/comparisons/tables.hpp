@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <eliminant/io/text_table.hpp>
+#include <eliminant/io/results/text_table.hpp>
 
 /// How the comparisons print.
 namespace eliminant::comparisons {

@@ -12,7 +12,7 @@
 #include <cli/program.hpp>
 #include <eliminant/base/error.hpp>
 #include <eliminant/batch/batch_job.hpp>
-#include <eliminant/io/error_report.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 using namespace eliminant::batch;
 using eliminant::InvalidInput;

@@ -3,8 +3,8 @@
 
 #include <chrono>
 #include <cli/bad_input_table.hpp>
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/problem_file.hpp>
+#include <eliminant/io/input/problem_file.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 using namespace eliminant;
 

@@ -4,7 +4,7 @@
 #ifdef ELIMINANT_PROGRAM
 
 #include <cli/program.hpp>
-#include <eliminant/io/json_text.hpp>
+#include <eliminant/io/input/json_text.hpp>
 
 using eliminant::io::JsonDocument;
 

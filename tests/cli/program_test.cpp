@@ -5,7 +5,7 @@
 
 #include <cli/bad_input_table.hpp>
 #include <cli/program.hpp>
-#include <eliminant/io/json_text.hpp>
+#include <eliminant/io/input/json_text.hpp>
 
 using eliminant::io::JsonDocument;
 

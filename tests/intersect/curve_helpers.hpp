@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/intersect/curve_problems.hpp>
-#include <eliminant/intersect/curve_result.hpp>
-#include <eliminant/intersect/parameter_roots.hpp>
+#include <eliminant/intersect/curves/curve_problems.hpp>
+#include <eliminant/intersect/curves/curve_result.hpp>
+#include <eliminant/intersect/plane_curves/parameter_roots.hpp>
 #include <eliminant/symbolic/arithmetic/parse_number.hpp>
 #include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <eliminant/io/error_report.hpp>
-#include <eliminant/io/problem_file.hpp>
+#include <eliminant/io/input/problem_file.hpp>
+#include <eliminant/io/results/error_report.hpp>
 
 inline const std::string parse = "parse_error";
 inline const std::string invalid = "invalid_input";

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/io/curve_input.hpp>
-#include <eliminant/io/json_fields.hpp>
-#include <eliminant/io/surface_input.hpp>
+#include <eliminant/io/input/curve_input.hpp>
+#include <eliminant/io/input/surface_input.hpp>
+#include <eliminant/io/results/json_fields.hpp>
 #include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 
 /// Curves and surfaces from their text.

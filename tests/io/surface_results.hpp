@@ -6,7 +6,7 @@
 
 #include <io/geometry_text.hpp>
 
-#include <eliminant/intersect/surface_result.hpp>
+#include <eliminant/intersect/patches/surface_result.hpp>
 
 /// Results of surfaces, written down by hand.
 namespace eliminant::test {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/bridge/control_net.hpp>
-#include <eliminant/bridge/exact_contact.hpp>
+#include <eliminant/bridge/contacts/exact_contact.hpp>
+#include <eliminant/bridge/nets/control_net.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 
 /// Bezier curves and patches with planted common points, from polynomials in the power basis.

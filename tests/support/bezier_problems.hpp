@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <eliminant/intersect/curve_problems.hpp>
+#include <eliminant/intersect/curves/curve_problems.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 #include <support/bezier_families.hpp>
 

@@ -9,8 +9,8 @@
 
 #include <support/text_patches.hpp>
 
-#include <eliminant/bridge/branch_subdivision.hpp>
-#include <eliminant/bridge/patch_border_points.hpp>
+#include <eliminant/bridge/branches/branch_subdivision.hpp>
+#include <eliminant/bridge/branches/patch_border_points.hpp>
 
 /// Intersections of patches as graphs, without an exact stage for what doubles cannot tell.
 namespace eliminant::test {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <eliminant/bridge/ball.hpp>
+#include <eliminant/bridge/enclosures/ball.hpp>
 #include <eliminant/symbolic/geometry/rational_curve.hpp>
 #include <support/bezier_case.hpp>
 

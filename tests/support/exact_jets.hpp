@@ -6,8 +6,8 @@
 
 #include <support/text_patches.hpp>
 
-#include <eliminant/bridge/rational_double.hpp>
-#include <eliminant/bridge/taylor_tables.hpp>
+#include <eliminant/bridge/nets/taylor_tables.hpp>
+#include <eliminant/bridge/rounding/rational_double.hpp>
 
 /// Derivatives of patches in affine coordinates, exactly.
 namespace eliminant::test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include <eliminant/bridge/ball.hpp>
-#include <eliminant/bridge/descartes_isolation.hpp>
+#include <eliminant/bridge/enclosures/ball.hpp>
+#include <eliminant/bridge/roots/descartes_isolation.hpp>
 #include <eliminant/symbolic/elimination/squarefree.hpp>
 #include <support/patch_nets.hpp>
 

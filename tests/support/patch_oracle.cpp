@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <eliminant/intersect/curve_topology.hpp>
+#include <eliminant/intersect/topology/curve_topology.hpp>
 #include <support/patch_nets.hpp>
 #include <support/patch_sampling.hpp>
 

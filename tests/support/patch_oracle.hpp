@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/plane_curves/plane_curves.hpp>
 #include <eliminant/symbolic/arithmetic/polynomial.hpp>
 #include <support/patch_case.hpp>
 

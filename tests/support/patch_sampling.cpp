@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <eliminant/intersect/curve_surface.hpp>
+#include <eliminant/intersect/curve_surface/curve_surface.hpp>
 #include <eliminant/symbolic/geometry/bezier.hpp>
 #include <support/patch_nets.hpp>
 #include <support/power_patch.hpp>

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include <eliminant/intersect/plane_curves.hpp>
+#include <eliminant/intersect/plane_curves/plane_curves.hpp>
 #include <support/curves.hpp>
 
 namespace eliminant::test {

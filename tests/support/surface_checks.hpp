@@ -10,7 +10,7 @@
 
 #include <support/text_patches.hpp>
 
-#include <eliminant/intersect/surface_result.hpp>
+#include <eliminant/intersect/patches/surface_result.hpp>
 #include <eliminant/symbolic/geometry/nurbs.hpp>
 
 /// Surfaces with known intersections, and what their results must have.

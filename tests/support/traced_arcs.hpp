@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <eliminant/bridge/arc_tracing.hpp>
+#include <eliminant/bridge/branches/arc_tracing.hpp>
 
 namespace eliminant::test {
 

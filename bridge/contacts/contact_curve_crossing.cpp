@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where a branch crosses a curve of contact.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <eliminant/bridge/contacts/contact_curve.hpp>
+#include <eliminant/bridge/contacts/contact_curve_internal.hpp>
+#include <eliminant/bridge/nets/enclosed_patch.hpp>
+#include <eliminant/bridge/rounding/rational_double.hpp>
+
+namespace eliminant::bridge {
+
+using namespace contact;
+
+std::optional<ContactCurve::Tables> ContactCurve::tables_near(const Place& at, std::size_t order) const {
+  const auto frame = tangent_frame(PatchJets(base_).at(at[0], at[1]));
+  if (!frame) return std::nullopt;
+  const Place there{numerator_[0].near(at[0], at[1]) / denominator_[0].near(at[0], at[1]),
+                    numerator_[1].near(at[0], at[1]) / denominator_[1].near(at[0], at[1])};
+  Tables tables{taylor_near(base_, at[0], at[1], order), taylor_near(other_, there[0], there[1], order),
+                base_.polynomial && other_.polynomial};
+  to_frame(*frame, tables.base);
+  to_frame(*frame, tables.other);
+  return tables;
+}
+
+std::optional<PlaneSeries<double>> ContactCurve::heights_near(const Place& at, std::size_t order) const {
+  const auto tables = tables_near(at, order);
+  if (!tables) return std::nullopt;
+  return tables->heights({1, 0}, {0, 1}, order);
+}
+
+std::optional<Place> ContactCurve::crossing_near(const Place& start, double reach) const {
+  // The secant method along the curve.
+  const auto bend_at = [&](const Place& at) {
+    const auto heights = heights_near(at, 2);
+    return heights ? derivative_in(*heights, unit(gradient(at)), 2) : std::nan("");
+  };
+  const auto moved = [&](const Place& at, double by) {
+    const Place across = unit(gradient(at));
+    return nearest({at[0] - by * across[1], at[1] + by * across[0]});
+  };
+  Place here = start;
+  double bend = bend_at(here);
+  double step = 0.125 * reach;
+  constexpr int most_steps = 25;
+  for (int i = 0; i < most_steps; ++i) {
+    const Place next = moved(here, step);
+    const double next_bend = bend_at(next);
+    const double slope = (next_bend - bend) / step;
+    if (!std::isfinite(slope) || slope == 0) return std::nullopt;
+    if (!(std::hypot(next[0] - start[0], next[1] - start[1]) < reach)) return std::nullopt;
+    here = next;
+    bend = next_bend;
+    step = -bend / slope;
+    if (!(std::fabs(step) < reach)) return std::nullopt;
+    if (std::fabs(step) < 1e-13) return here;
+  }
+  return std::fabs(step) < 1e-9 ? std::optional(here) : std::nullopt;
+}
+
+DoubleInterval ContactCurve::bend_at_origin(const Region& region) const {
+  // How far the curve is from the origin, and its point of the other patch from the one taken.
+  const IntervalPolynomial curve = curve_.in_frame(region.origin, region.across, region.along);
+  const double far =
+      1.3 * curve.on(DoubleInterval(0), DoubleInterval(0)).magnitude() / std::fabs(curve.derivative(0).near(0, 0));
+  Eigen::Vector2d moved;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto value = [&](const IntervalPolynomial& p) {
+      return p.in_frame(region.origin, region.across, region.along).on(symmetric(far), DoubleInterval(0));
+    };
+    const DoubleInterval there = value(numerator_[k]) / value(denominator_[k]);
+    moved[static_cast<long>(k)] = (there - DoubleInterval(region.middle_of_other[k])).magnitude();
+  }
+  const double far_of_other = (region.by_plane.inverse().cwiseAbs() * moved).maxCoeff() * (1 + 1e-9);
+  const auto at = [](const ExactNet& exact, const ControlNet& net, const ContactFrame& frame, const Place& place) {
+    return enclosed(taylor_at(exact, {exactly(place[0]), exactly(place[1])}, 2), net, frame);
+  };
+  const auto base = in_parameters(at(exact_base_, base_, region.frame, region.origin),
+                                  columns_of(region.across, region.along), region.polynomial);
+  const auto other =
+      in_parameters(at(exact_other_, other_, region.frame, region.middle_of_other), region.by_plane, region.polynomial);
+  const HeightSeries<DoubleInterval> heights =
+      height_series(widened(base, far, region.base), widened(other, far_of_other, region.other), 2, region.polynomial);
+  return DoubleInterval(2) * heights.height.at(2, 0);
+}
+
+std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const {
+  const CellBox box = in_base_order(asked);
+  const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
+  const double size = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+  const Place start = nearest(middle);
+  if (!(std::hypot(start[0] - middle[0], start[1] - middle[1]) < 2 * size)) return std::nullopt;
+  const auto found = crossing_near(start, 4 * size);
+  if (!found) return std::nullopt;
+  const Place origin = *found;
+  const Place steepest = unit(gradient(origin));
+  const Place along{-steepest[1], steepest[0]};
+  // Across the curve and the branch alike.
+  const auto heights_here = heights_near(origin, 3);
+  if (!heights_here) return std::nullopt;
+  Place across = steepest;
+  double largest = 0;
+  for (const double turn : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+    const Place direction{std::cos(turn) * steepest[0] + std::sin(turn) * along[0],
+                          std::cos(turn) * steepest[1] + std::sin(turn) * along[1]};
+    const double third = std::fabs(derivative_in(*heights_here, direction, 3));
+    if (third > largest * 1.25) {
+      largest = third;
+      across = direction;
+    }
+  }
+  const auto around = region(box, origin, across, along, 4);
+  if (!around) return std::nullopt;
+  const Forms forms = forms_on(*around, around->heights(4));
+  if (!forms.xxx.is_finite() || !forms.xxx.excludes_zero()) return std::nullopt;
+  const DoubleInterval turning = forms.xxy + forms.xxx * around->slope;
+  if (!turning.is_finite() || !turning.excludes_zero()) return std::nullopt;
+
+  // Newton's step from the origin.
+  const double bend = bend_at_origin(*around).magnitude();
+  const double least = std::min(std::fabs(turning.lower), std::fabs(turning.upper));
+  const double shift = bend / least + 1e-14;
+  if (!(shift < 0.5 * around->length)) return std::nullopt;
+  CurveCrossing result;
+  result.parameters = parameters_at(origin);
+  const double moved = shift * (1 + around->slope.magnitude());
+  result.radius = moved * (1 + around->following);
+  bool outside = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double at = result.parameters[k];
+    result.inside = result.inside && at - result.radius > asked.lower[k] && at + result.radius < asked.upper[k];
+    outside = outside || at + result.radius < asked.lower[k] || at - result.radius > asked.upper[k];
+  }
+  if (!result.inside && !outside) return std::nullopt;
+  const double area = cross(across, along);
+  const std::size_t first = swapped_ ? 2 : 0;
+  result.growing[first] = -across[1] / area;
+  result.growing[first + 1] = across[0] / area;
+
+  result.origin = origin;
+  result.across = across;
+  result.along = along;
+  result.reach = around->reach;
+  result.length = around->length;
+  result.least_third = std::min(std::fabs(forms.xxx.lower), std::fabs(forms.xxx.upper));
+  // The offset of the branch from the curve is where the divided difference vanishes, an average of second derivatives.
+  const DoubleInterval offset_slope = -(DoubleInterval(3) * turning) / forms.xxx;
+  const DoubleInterval moving_third = forms.xxxy + around->slope * forms.xxxx;
+  const DoubleInterval turning_twice = forms.xxyy + DoubleInterval(2) * around->slope * forms.xxxy +
+                                       around->slope * around->slope * forms.xxxx + around->bend * forms.xxx;
+  const DoubleInterval offset_bend =
+      -(DoubleInterval(3) * turning_twice + DoubleInterval(2) * moving_third * offset_slope +
+        DoubleInterval(0.5) * forms.xxxx * offset_slope * offset_slope) /
+      forms.xxx;
+  result.branch_slope = (around->slope + offset_slope).magnitude();
+  result.branch_bend = (around->bend + offset_bend).magnitude();
+  const double half = result.length + result.reach;
+  const auto bounds =
+      PatchJets(base_).bounds_on(origin[0] - half, origin[0] + half, origin[1] - half, origin[1] + half);
+  if (!bounds) return std::nullopt;
+  double extent = 0;
+  for (const Array4d& point : base_.points) extent = std::max(extent, point.abs().head<3>().maxCoeff());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto c = static_cast<long>(k);
+    result.speed[k] = bounds->first[0][c] + bounds->first[1][c];
+    result.bending[k] = bounds->second[0][c] + 2 * bounds->second[1][c] + bounds->second[2][c];
+  }
+  // In a smaller box more is known of the branch.
+  constexpr double accuracy = 1e-6;
+  constexpr double pieces = 512;
+  const double step = result.length / pieces;
+  if (!(unit_chord_error(result, origin) * step * step < accuracy * extent)) return std::nullopt;
+  return result;
+}
+
+Place CurveCrossing::coordinates_of(const Place& at) const {
+  const Place offset{at[0] - origin[0], at[1] - origin[1]};
+  const double area = cross(across, along);
+  return {cross(offset, along) / area, cross(across, offset) / area};
+}
+
+double ContactCurve::across_at(const CurveCrossing& crossing, double y) const {
+  double x = 0;
+  constexpr int most_steps = 8;
+  for (int step = 0; step < most_steps; ++step) {
+    const Place at{crossing.origin[0] + x * crossing.across[0] + y * crossing.along[0],
+                   crossing.origin[1] + x * crossing.across[1] + y * crossing.along[1]};
+    const double change = curve_.near(at[0], at[1]) / dot(gradient(at), crossing.across);
+    x -= change;
+    if (!(std::fabs(change) > 1e-16)) break;
+  }
+  return x;
+}
+
+double ContactCurve::chord_error(const CurveCrossing& crossing, const Place& from, const Place& to, double error) {
+  const double a = crossing.coordinates_of(from)[1];
+  const double b = crossing.coordinates_of(to)[1];
+  if (!(std::max(std::fabs(a), std::fabs(b)) < crossing.length)) return std::numeric_limits<double>::infinity();
+  const double fastest = *std::max_element(crossing.speed.begin(), crossing.speed.end());
+  return unit_chord_error(crossing, from) * (a - b) * (a - b) + 1.74 * fastest * error;
+}
+
+double ContactCurve::unit_chord_error(const CurveCrossing& crossing, const Place& near) {
+  if (!(std::fabs(crossing.coordinates_of(near)[1]) < crossing.length)) return std::numeric_limits<double>::infinity();
+  const double length = 1 + crossing.branch_slope;
+  double result = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    result = std::max(result, crossing.speed[k] * crossing.branch_bend + crossing.bending[k] * length * length);
+  return 1.74 * 0.125 * result;
+}
+
+}  // namespace eliminant::bridge

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/contacts/contact_curves.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <eliminant/bridge/contacts/contact_curve_points.hpp>
+#include <eliminant/bridge/contacts/contact_relation_fit.hpp>
+#include <eliminant/bridge/nets/function_net.hpp>
+#include <eliminant/symbolic/geometry/bezier.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+/// Around singular points of a curve nothing is ever proven.
+constexpr unsigned long most_failures = 20000;
+
+std::vector<symbolic::Polynomial> polynomials_of(const ExactNet& net) {
+  const std::size_t row = net.degrees[1] + 1;
+  std::vector<std::vector<symbolic::ControlPoint>> rows(net.degrees[0] + 1);
+  for (std::size_t i = 0; i < net.points.size(); ++i)
+    rows[i / row].emplace_back(net.points[i].begin(), net.points[i].end());
+  return symbolic::bezier_patch(rows).map.coordinates();
+}
+
+}  // namespace
+
+const std::vector<symbolic::Polynomial>& ContactCurves::coordinates(bool of_second) {
+  std::vector<symbolic::Polynomial>& result = coordinates_[of_second ? 1 : 0];
+  if (result.empty()) result = polynomials_of(of_second ? exact_second_ : exact_first_);
+  return result;
+}
+
+bool ContactCurves::is_known(const std::array<double, 4>& point) const {
+  return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) {
+    const std::size_t base = curve.swapped() ? 2 : 0;
+    const std::array<double, 4> there = curve.parameters_at({point[base], point[base + 1]});
+    constexpr double near = 1e-7;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (!(std::fabs(there[k] - point[k]) < near)) return false;
+    return std::fabs(curve.distance_from({point[base], point[base + 1]})) < near;
+  });
+}
+
+bool ContactCurves::find(const std::array<double, 4>& near, double reach) {
+  if (attempts_ == 0 || equations_ == 0) return false;
+  --attempts_;
+  const auto start = contact_curve_point(first_, second_, near, reach);
+  if (!start || is_known(*start)) return false;
+  const auto points = contact_curve_points(first_, second_, *start);
+  if (points.empty()) return false;
+  if (recognise(points, false) || recognise(points, true)) return true;
+  --equations_;
+  return false;
+}
+
+bool ContactCurves::is_along(std::size_t axis, int side) const {
+  return std::any_of(curves_.begin(), curves_.end(),
+                     [&](const ContactCurve& curve) { return curve.sides_along()[axis] == side; });
+}
+
+bool ContactCurves::find_along(std::size_t axis, int side, double lower, double upper) {
+  if (is_along(axis, side)) return true;
+  if (equations_ == 0) return false;
+  const auto points = points_along_border(first_, second_, {axis, side, lower, upper});
+  if (points.empty()) return false;
+  const bool of_second = axis >= 2;
+  if ((recognise(points, of_second) || recognise(points, !of_second)) && is_along(axis, side)) return true;
+  --equations_;
+  return false;
+}
+
+bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, bool swapped) {
+  std::vector<std::array<double, 4>> ordered = points;
+  if (swapped)
+    for (std::array<double, 4>& p : ordered) p = {p[2], p[3], p[0], p[1]};
+  const auto relation = contact_relation_fit(ordered);
+  const auto has_zero = [](const symbolic::Polynomial& p) {
+    return !excludes_zero(function_net(p, {symbolic::Interval{0, 1}, symbolic::Interval{0, 1}}), {0, 0}, {1, 1});
+  };
+  if (!relation || has_zero(relation->denominator[0]) || has_zero(relation->denominator[1])) return false;
+  if (!symbolic::touch_along(coordinates(swapped), coordinates(!swapped), *relation)) return false;
+  if (swapped)
+    curves_.emplace_back(second_, first_, exact_second_, exact_first_, *relation, true);
+  else
+    curves_.emplace_back(first_, second_, exact_first_, exact_second_, *relation, false);
+  explained_size_.push_back(1);
+  return true;
+}
+
+bool ContactCurves::explains(const CellBox& box) {
+  double size = 0;
+  for (std::size_t k = 0; k < 4; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
+  for (std::size_t i = 0; i < curves_.size(); ++i) {
+    constexpr double growth = 2;
+    if (curves_[i].is_explained(box)) return true;
+    if (size > growth * explained_size_[i] || failures_ > most_failures) continue;
+    if (!curves_[i].explains(box)) {
+      ++failures_;
+      continue;
+    }
+    explained_size_[i] = size;
+    return true;
+  }
+  return false;
+}
+
+std::optional<CellBox> ContactCurves::explained_around(std::size_t axis, const std::array<double, 4>& near,
+                                                       const std::array<double, 4>& half_width) {
+  for (const ContactCurve& curve : curves_) {
+    const auto point = curve.point_on_cut(axis, near);
+    if (!point) continue;
+    bool is_near = true;
+    for (std::size_t k = 0; k < 4; ++k)
+      is_near = is_near && (k == axis || std::fabs((*point)[k] - near[k]) < half_width[k]);
+    if (!is_near) continue;
+    constexpr int most_halvings = 12;
+    for (int i = 0; i < most_halvings; ++i) {
+      CellBox box;
+      for (std::size_t k = 0; k < 4; ++k) {
+        // The width across the cut stands for roundings.
+        const double half = k == axis ? half_width[k] : std::ldexp(half_width[k], -i);
+        const double middle = k == axis ? near[k] : (*point)[k];
+        box.lower[k] = middle - half;
+        box.upper[k] = middle + half;
+      }
+      if (explains(box)) return box;
+    }
+  }
+  return std::nullopt;
+}
+
+bool ContactCurves::is_exhausted() const { return failures_ > most_failures; }
+
+void ContactCurves::count_failed_cut() {
+  // As dear as many boxes.
+  constexpr unsigned long boxes = 10;
+  if (!curves_.empty()) failures_ += boxes;
+}
+
+bool ContactCurves::holds(const std::array<symbolic::Rational, 4>& parameters) const {
+  return std::any_of(curves_.begin(), curves_.end(), [&](const ContactCurve& curve) {
+    const symbolic::ContactRelation& relation = curve.relation();
+    const std::size_t base = curve.swapped() ? 2 : 0;
+    const std::array<symbolic::Polynomial, 2> at{symbolic::Polynomial::constant(2, parameters[base]),
+                                                 symbolic::Polynomial::constant(2, parameters[base + 1])};
+    const auto value = [&](const symbolic::Polynomial& p) { return p.compose(at).constant_term(); };
+    for (std::size_t k = 0; k < 2; ++k) {
+      const symbolic::Rational& other = parameters[2 - base + k];
+      const symbolic::Rational below = value(relation.denominator[k]);
+      if (below.is_zero() || !(value(relation.numerator[k]) == other * below)) return false;
+    }
+    return value(relation.curve).is_zero();
+  });
+}
+
+std::optional<ContactCurves::Crossing> ContactCurves::crossing(const CellBox& box) {
+  for (std::size_t i = 0; i < curves_.size() && failures_ <= most_failures; ++i) {
+    const auto found = curves_[i].crossing(box);
+    if (!found) {
+      ++failures_;
+      continue;
+    }
+    Crossing result;
+    static_cast<CurveCrossing&>(result) = *found;
+    result.curve = i;
+    return result;
+  }
+  return std::nullopt;
+}
+
+}  // namespace eliminant::bridge

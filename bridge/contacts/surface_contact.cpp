@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/bridge/contacts/surface_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include <eliminant/bridge/contacts/contact_conditions.hpp>
+#include <eliminant/bridge/contacts/tangential_elimination.hpp>
+#include <eliminant/bridge/enclosures/double_interval.hpp>
+#include <eliminant/bridge/nets/patch_jets.hpp>
+#include <eliminant/bridge/nets/taylor_tables.hpp>
+#include <eliminant/bridge/rounding/rational_double.hpp>
+#include <eliminant/bridge/rounding/simple_fraction.hpp>
+
+namespace eliminant::bridge {
+
+namespace {
+
+using Eigen::Vector4d;
+using symbolic::Rational;
+
+constexpr std::size_t weight = 3;
+
+double middle(const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); }
+
+/// The directions in which the form vanishes, of an indefinite one.
+std::array<std::array<double, 2>, 2> asymptotic_directions(double uu, double uv, double vv) {
+  const double root = std::sqrt(std::max(0.0, uv * uv - uu * vv));
+  std::array<std::array<double, 2>, 2> result;
+  if (std::fabs(uu) >= std::fabs(vv)) {
+    // uu x^2 + 2 uv x + vv = 0 with y = 1; the root without cancellation first.
+    const double sum = -(uv + (uv < 0 ? -root : root));
+    result = {{{sum, uu}, {vv, sum}}};
+  } else {
+    const double sum = -(uv + (uv < 0 ? -root : root));
+    result = {{{vv, sum}, {sum, uu}}};
+  }
+  for (auto& direction : result) {
+    const double length = std::hypot(direction[0], direction[1]);
+    direction = {direction[0] / length, direction[1] / length};
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::size_t> ContactNeighbourhood::half_arc(double u, double v) const {
+  const auto& [p, q] = directions;
+  const double determinant = p[0] * q[1] - p[1] * q[0];
+  const double along_p = (u * q[1] - v * q[0]) / determinant;
+  const double along_q = (p[0] * v - p[1] * u) / determinant;
+  const double larger = std::max(std::fabs(along_p), std::fabs(along_q));
+  const double smaller = std::min(std::fabs(along_p), std::fabs(along_q));
+  if (!(smaller < 0.9 * larger)) return std::nullopt;
+  if (std::fabs(along_p) > std::fabs(along_q)) return along_p > 0 ? 0 : 1;
+  return along_q > 0 ? 2 : 3;
+}
+
+std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) const {
+  PatchJets first(first_);
+  PatchJets second(second_);
+  Vector4d x;
+  double reach = 0;
+  for (long k = 0; k < 4; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    x[k] = 0.5 * (box.lower[i] + box.upper[i]);
+    reach = std::max(reach, box.upper[i] - box.lower[i]);
+  }
+  double last_step = INFINITY;
+  constexpr int most_steps = 15;
+  for (int step = 0; step < most_steps; ++step) {
+    for (long k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (!(x[k] > box.lower[i] - reach) || !(x[k] < box.upper[i] + reach)) return std::nullopt;
+    }
+    const ContactConditions conditions = contact_conditions(first, second, x);
+    const Vector4d change = conditions.jacobian.partialPivLu().solve(conditions.value);
+    if (!change.allFinite()) return std::nullopt;
+    x -= change;
+    last_step = change.lpNorm<Eigen::Infinity>();
+    if (last_step < 1e-13) break;
+  }
+  constexpr double at_rest = 1e-8;
+  if (!(last_step < at_rest)) return std::nullopt;
+  SurfaceContact contact;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double at = x[static_cast<long>(k)];
+    constexpr double inside = 1e-9;
+    if (!(at > inside) || !(at < 1 - inside)) return std::nullopt;
+    // Parts of domains have large denominators.
+    constexpr double accuracy = 1e-12;
+    constexpr double largest_denominator = 0x1p18;
+    const auto fraction = simple_fraction(at, accuracy, largest_denominator);
+    if (!fraction) return std::nullopt;
+    contact.parameters[k] = *fraction;
+  }
+  if (!is_contact(contact.parameters)) return std::nullopt;
+  for (std::size_t k = 0; k < 4; ++k) contact.rounded[k] = nearest(contact.parameters[k]);
+  return contact;
+}
+
+bool SurfaceContactProver::is_contact(const std::array<Rational, 4>& parameters) const {
+  const TaylorTable<Rational> a = taylor_at(exact_first_, {parameters[0], parameters[1]}, 1);
+  const TaylorTable<Rational> b = taylor_at(exact_second_, {parameters[2], parameters[3]}, 1);
+  using Row = std::array<Rational, 4>;
+  const Row& p = a.at(0, 0);
+  const Row& q = b.at(0, 0);
+  if (p[weight].is_zero() || q[weight].is_zero()) return false;
+  for (std::size_t k = 0; k < weight; ++k)
+    if (!(p[k] * q[weight] - q[k] * p[weight]).is_zero()) return false;
+  // The tangent planes are equal: every tangent vector is orthogonal to the normal of the second.
+  const auto tangent = [](const Row& value, const Row& slope) {
+    std::array<Rational, 3> result;
+    for (std::size_t k = 0; k < 3; ++k) result[k] = slope[k] * value[weight] - value[k] * slope[weight];
+    return result;
+  };
+  const auto s = tangent(q, b.at(1, 0));
+  const auto t = tangent(q, b.at(0, 1));
+  const std::array<Rational, 3> normal{s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
+  for (const auto& along : {tangent(p, a.at(1, 0)), tangent(p, a.at(0, 1))})
+    if (!(along[0] * normal[0] + along[1] * normal[1] + along[2] * normal[2]).is_zero()) return false;
+  return !(normal[0].is_zero() && normal[1].is_zero() && normal[2].is_zero());
+}
+
+std::optional<ContactNeighbourhood> SurfaceContactProver::neighbourhood(const SurfaceContact& contact,
+                                                                        const CellBox& box) const {
+  const auto elimination = TangentialElimination::on(first_, second_, contact.rounded, box);
+  if (!elimination) return std::nullopt;
+  const Hessian& hessian = elimination->hessian;
+  ContactNeighbourhood result;
+  if (hessian.determinant().lower > 0) return result;
+
+  result.crossing = true;
+  result.directions = asymptotic_directions(middle(hessian.uu), middle(hessian.uv), middle(hessian.vv));
+  const auto& [p, q] = result.directions;
+  if (!(std::fabs(p[0] * q[1] - p[1] * q[0]) > 1e-3)) return std::nullopt;
+  const DoubleInterval mixed = hessian.form(p, q);
+  if (!mixed.excludes_zero()) return std::nullopt;
+  const double least = std::min(std::fabs(mixed.lower), std::fabs(mixed.upper));
+  const double turning = std::max(hessian.form(p, p).magnitude(), hessian.form(q, q).magnitude());
+  // Then the form has opposite signs on the diagonals between the directions, and its derivative across a direction has
+  // one sign between them: on each side of the contact there is one arc.
+  if (!(turning < 0.4 * least)) return std::nullopt;
+  result.slope = 0.63 * turning / least;
+  double reach = 0;
+  for (std::size_t k = 0; k < 2; ++k)
+    reach = std::max({reach, box.upper[k] - contact.rounded[k], contact.rounded[k] - box.lower[k]});
+  // Lengths along the directions of a point whose coordinates are at most `reach`.
+  const double length = 2 * reach / std::fabs(p[0] * q[1] - p[1] * q[0]);
+  const auto bounds = PatchJets(first_).bounds_on(box.lower[0], box.upper[0], box.lower[1], box.upper[1]);
+  if (!bounds) return std::nullopt;
+  double error = 0;
+  for (long c = 0; c < 3; ++c) {
+    const double speed = bounds->first[0][c] + bounds->first[1][c];
+    const double bend = bounds->second[0][c] + 2 * bounds->second[1][c] + bounds->second[2][c];
+    error = std::max(error, speed * 2 * result.slope * length + 0.125 * bend * 2 * length * length);
+  }
+  result.chord_error = 1.74 * error;
+  return result;
+}
+
+}  // namespace eliminant::bridge

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <eliminant/bridge/branches/cell_box.hpp>
+#include <eliminant/bridge/nets/control_net.hpp>
+#include <eliminant/symbolic/arithmetic/rational.hpp>
+
+namespace eliminant::bridge {
+
+/// A point where two patches touch, at rational parameters (u, v, s, t), proven by exact substitution.
+struct SurfaceContact {
+  std::array<symbolic::Rational, 4> parameters;
+  std::array<double, 4> rounded{};
+};
+
+/// What the patches have in common in a box around a contact, proven.
+struct ContactNeighbourhood {
+  /// Two smooth arcs that cross; else the contact is the only common point.
+  bool crossing = false;
+  /// Of the tangents of the arcs, in (u, v): the columns p and q.
+  std::array<std::array<double, 2>, 2> directions{};
+  /// An arc along p (q) stays within that slope of its tangent, in units of the directions.
+  double slope = 0;
+  /// Bounds the distance in space of an arc from its chord from the contact to another point of it in the box.
+  double chord_error = 0;
+
+  /// On which of the four half-arcs a point of an arc lies, by the parameters (u, v) relative to the contact: 0 to 3
+  /// are p, -p, q, -q; nullopt where it is too near to call.
+  std::optional<std::size_t> half_arc(double u, double v) const;
+};
+
+/// Recognises contacts of two tensor-product patches at rational parameters, and proves what is around them.
+///
+/// Newton's method on the conditions that the normals are parallel and the difference is orthogonal to the second patch
+/// finds a contact in doubles, continued fractions its parameters, exact substitution proves it. With (s, t) as the
+/// function of (u, v) that keeps the coordinates along the tangent plane equal, the rest of the difference has a
+/// critical zero; where its Hessian is definite on a whole box there is no other zero, where it is indefinite with
+/// asymptotic directions that hardly turn there are two arcs that cross (Morse's lemma with bounds).
+class SurfaceContactProver {
+ public:
+  /// All must outlive the object.
+  SurfaceContactProver(const ControlNet& first, const ControlNet& second, const ExactNet& exact_first,
+                       const ExactNet& exact_second)
+      : first_(first), second_(second), exact_first_(exact_first), exact_second_(exact_second) {}
+
+  /// A contact inside both domains in or near the box, proven; nullopt where none is found.
+  std::optional<SurfaceContact> find(const CellBox& box) const;
+
+  /// nullopt where the box is too large, or the Hessian degenerate.
+  std::optional<ContactNeighbourhood> neighbourhood(const SurfaceContact& contact, const CellBox& box) const;
+
+ private:
+  bool is_contact(const std::array<symbolic::Rational, 4>& parameters) const;
+
+  const ControlNet& first_;
+  const ControlNet& second_;
+  const ExactNet& exact_first_;
+  const ExactNet& exact_second_;
+};
+
+}  // namespace eliminant::bridge

@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/patches/branch_joining.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using Parameters = std::array<double, 4>;
+
+/// Ends are refined to much better than that, and different ones must be farther apart than the second, relative to the
+/// domain.
+constexpr double same_within = 1e-9;
+constexpr double apart_by = 1e-7;
+
+/// Distances of pairs of parameters: those with a domain relative to its width.
+class Metric {
+ public:
+  explicit Metric(const DomainBounds& bounds) : bounds_(bounds) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!bounds_[k]) continue;
+      const auto [lower, upper] = *bounds_[k];
+      constexpr double digits = 0x1p-50;
+      rounding_ = std::max(rounding_, digits * std::max(std::fabs(lower), std::fabs(upper)) / width(k));
+    }
+  }
+
+  double distance(const Parameters& a, const Parameters& b) const {
+    double result = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (a[k] == b[k]) continue;
+      const bool inverted = std::fabs(a[k]) > 1 && std::fabs(b[k]) > 1;
+      // On the projective line large parameters are compared by their inverses.
+      const double difference = bounds_[k] ? (a[k] - b[k]) / width(k) : inverted ? 1 / a[k] - 1 / b[k] : a[k] - b[k];
+      result = std::max(result, std::fabs(difference));
+    }
+    return result;
+  }
+
+  /// How far apart doubles make parameters that are the same, relative to the domain.
+  double rounding() const { return rounding_; }
+
+ private:
+  double width(std::size_t k) const { return (*bounds_[k])[1] - (*bounds_[k])[0]; }
+
+  const DomainBounds& bounds_;
+  double rounding_ = 0;
+};
+
+Parameters exchanged(const Parameters& p) { return {p[2], p[3], p[0], p[1]}; }
+
+void exchange(SurfaceComponent& component) {
+  for (SurfacePoint& point : component.points) point.parameters = exchanged(point.parameters);
+  for (BranchEnd* end : {&component.start, &component.end}) {
+    end->side = {end->side[2], end->side[3], end->side[0], end->side[1]};
+    std::swap(end->third_side[0], end->third_side[1]);
+  }
+  std::swap(component.along_seam[0], component.along_seam[1]);
+}
+
+void reverse(SurfaceComponent& component) {
+  std::reverse(component.points.begin(), component.points.end());
+  std::swap(component.start, component.end);
+}
+
+/// Of u, v, s, t, and the third barycentric coordinates of triangles in place of (u, v) and (s, t).
+using Kept = std::array<bool, 6>;
+constexpr std::size_t third = 4;
+
+/// The parameters that keep their value along the whole curve: it lies on a border or a seam there.
+Kept kept_parameters(const SurfaceComponent& component) {
+  Kept kept{};
+  constexpr double rounding = 1e-12;
+  for (std::size_t i = 0; i < 2; ++i)
+    kept[third + i] = component.start.third_side[i] && component.end.third_side[i] &&
+                      std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
+                        return std::fabs(point.parameters[2 * i] + point.parameters[2 * i + 1] - 1) <= rounding;
+                      });
+  for (std::size_t k = 0; k < 4; ++k)
+    kept[k] = std::abs(component.start.side[k]) == 1 && component.start.side[k] == component.end.side[k] &&
+              std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
+                const double value = component.points.front().parameters[k];
+                return std::fabs(point.parameters[k] - value) <= rounding * std::max(1.0, std::fabs(value));
+              });
+  return kept;
+}
+
+/// Forgets the sides that are no borders of the whole domain; true when some were, and none is left. Sides of the
+/// parameters that are kept do not count: the curve does not end there.
+bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds, const Kept& kept = {}) {
+  bool any = false;
+  bool left = false;
+  for (std::size_t i = 0; i < 2; ++i) left = left || (end.third_side[i] && !kept[third + i]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (end.side[k] == 0) continue;
+    any = any || !kept[k];
+    if (end.side[k] == seam_in_triangle) {
+      end.side[k] = 0;
+      continue;
+    }
+    bool border = false;
+    if (bounds[k]) {
+      const double bound = (*bounds[k])[end.side[k] < 0 ? 0 : 1];
+      constexpr double rounding = 1e-13;
+      constexpr double digits = 0x1p-50;
+      const double width = (*bounds[k])[1] - (*bounds[k])[0];
+      border = std::fabs(at[k] - bound) <= rounding * width + digits * std::fabs(bound);
+    }
+    if (!border) end.side[k] = 0;
+    left = left || (border && !kept[k]);
+  }
+  return any && !left;
+}
+
+/// How far in the parameters a polyline passes from a point.
+double distance_to(const SurfaceComponent& component, const Parameters& at, const Metric& metric) {
+  double result = INFINITY;
+  const auto& points = component.points;
+  if (points.size() == 1) return metric.distance(points.front().parameters, at);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Parameters& a = points[i].parameters;
+    const Parameters& b = points[i + 1].parameters;
+    double dot = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      dot += (at[k] - a[k]) * (b[k] - a[k]);
+      square += (b[k] - a[k]) * (b[k] - a[k]);
+    }
+    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
+    Parameters foot;
+    for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
+    result = std::min(result, metric.distance(foot, at));
+  }
+  return result;
+}
+
+double distance_in_space(const SurfaceComponent& component, const std::array<double, 3>& at) {
+  double result = INFINITY;
+  for (std::size_t i = 0; i + 1 < component.points.size(); ++i) {
+    const std::array<double, 3>& a = component.points[i].point;
+    const std::array<double, 3>& b = component.points[i + 1].point;
+    double dot = 0;
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      dot += (at[k] - a[k]) * (b[k] - a[k]);
+      square += (b[k] - a[k]) * (b[k] - a[k]);
+    }
+    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
+    double distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) distance = std::hypot(distance, at[k] - a[k] - place * (b[k] - a[k]));
+    result = std::min(result, distance);
+  }
+  return result;
+}
+
+class Joining {
+ public:
+  Joining(SurfaceResult& result, const DomainBounds& bounds, bool symmetric)
+      : result_(result),
+        bounds_(bounds),
+        metric_(bounds),
+        same_(same_within + metric_.rounding()),
+        apart_(apart_by + 100 * metric_.rounding()),
+        symmetric_(symmetric) {}
+
+  void run() {
+    take_out_repeated_seams();
+    for (SurfaceComponent& component : result_.components)
+      if (component.kind == SurfaceComponentKind::curve)
+        pieces_.push_back(std::move(component));
+      else
+        rest_.push_back(std::move(component));
+    for (SurfaceComponent& piece : pieces_) {
+      const Kept kept = kept_parameters(piece);
+      const Parameters& first = piece.points.front().parameters;
+      const Parameters& last = piece.points.back().parameters;
+      open_.push_back({piece.start.kind == BranchEndKind::border && is_only_seam(piece.start, first, bounds_, kept),
+                       piece.end.kind == BranchEndKind::border && is_only_seam(piece.end, last, bounds_, kept)});
+      if (open_.back()[0]) open_ends_.push_back(first);
+      if (open_.back()[1]) open_ends_.push_back(last);
+    }
+    used_.assign(pieces_.size(), false);
+    // Curves with an end first, what then is left are loops.
+    for (const bool with_end : {true, false})
+      for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (used_[i] || (with_end && open_[i][0] && open_[i][1])) continue;
+        if (with_end && open_[i][0]) turn(i);
+        follow(i);
+      }
+    result_.components = std::move(rest_);
+    take_out_repeated_points();
+  }
+
+ private:
+  /// Pieces that meet in a point find it several times, and some only the corner of what is a curve on another piece.
+  /// A point at which no curve passes is one of the intersection, also where surfaces only touch along a seam.
+  void take_out_repeated_points() {
+    std::vector<SurfaceComponent>& all = result_.components;
+    std::vector<bool> removed(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].kind != SurfaceComponentKind::point) continue;
+      const bool on_side =
+          all[i].start.side != std::array<int, 4>{} || all[i].start.third_side != std::array<bool, 2>{};
+      is_only_seam(all[i].start, all[i].points.front().parameters, bounds_);
+      for (std::size_t j = 0; j < all.size() && !removed[i]; ++j) {
+        if (removed[j] || j == i) continue;
+        removed[i] = all[j].kind == SurfaceComponentKind::point ? j < i && is_same_place(all[i], all[j])
+                                                                : is_on(all[j], all[i], on_side);
+      }
+      all[i].end = all[i].start;
+    }
+    std::size_t index = 0;
+    std::erase_if(all, [&](const SurfaceComponent&) { return removed[index++]; });
+  }
+
+  bool is_same_place(const SurfaceComponent& a, const SurfaceComponent& b) const {
+    return metric_.distance(a.points.front().parameters, b.points.front().parameters) < same_;
+  }
+
+  /// Whether a curve ends at a point, or passes it within its error, which is asked on the sides of pieces.
+  bool is_on(const SurfaceComponent& curve, const SurfaceComponent& point, bool on_side) const {
+    if (curve.kind == SurfaceComponentKind::overlap) return false;
+    const SurfacePoint& at = point.points.front();
+    for (const SurfacePoint* end : {&curve.points.front(), &curve.points.back()})
+      if (metric_.distance(end->parameters, at.parameters) < same_) return true;
+    constexpr double near = 1e-3;
+    if (!on_side || !(distance_to(curve, at.parameters, metric_) < near)) return false;
+    return distance_in_space(curve, at.point) <= 2 * (curve.error + point.error);
+  }
+
+  /// A curve along a seam is found on both sides of it: one is enough.
+  void take_out_repeated_seams() {
+    const auto repeats = [this](const SurfaceComponent& a, const SurfaceComponent& b) {
+      if (a.kind != SurfaceComponentKind::curve || b.kind != SurfaceComponentKind::curve) return false;
+      const Parameters& first = b.points.front().parameters;
+      const Parameters& last = b.points.back().parameters;
+      const auto is_same = [&, this](const Parameters& from, const Parameters& to) {
+        return metric_.distance(a.points.front().parameters, from) < same_ &&
+               metric_.distance(a.points.back().parameters, to) < same_;
+      };
+      if (!is_same(first, last) && !is_same(last, first)) return false;
+      // Two halves of a circle have the same ends.
+      constexpr double near = 1e-4;
+      if (!(distance_to(a, b.points[b.points.size() / 2].parameters, metric_) < near)) return false;
+      // Along one line of the parameters there is one curve from end to end.
+      const Kept of_a = kept_parameters(a);
+      const Kept of_b = kept_parameters(b);
+      for (std::size_t k = 0; k < of_a.size(); ++k)
+        if (of_a[k] && of_b[k]) return true;
+      for (std::size_t i = 0; i < 2; ++i)
+        if (a.along_seam[i] && b.along_seam[i]) return true;
+      return false;
+    };
+    std::vector<SurfaceComponent>& all = result_.components;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = all.size(); j-- > i + 1;)
+        if (repeats(all[i], all[j])) all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
+  }
+
+  void turn(std::size_t i) {
+    reverse(pieces_[i]);
+    std::swap(open_[i][0], open_[i][1]);
+  }
+
+  /// From a piece as far as it goes, in both directions where both of its ends are open.
+  void follow(std::size_t first) {
+    used_[first] = true;
+    SurfaceComponent curve = std::move(pieces_[first]);
+    const bool from_inside = open_[first][0];
+    if (open_[first][1]) extend(curve, from_inside);
+    if (from_inside && curve.kind == SurfaceComponentKind::curve) {
+      reverse(curve);
+      extend(curve, false);
+    }
+    rest_.push_back(std::move(curve));
+  }
+
+  /// From its end, which is open.
+  void extend(SurfaceComponent& curve, bool may_close) {
+    const Parameters begin = curve.points.front().parameters;
+    for (bool open = true; open;) {
+      const Parameters at = curve.points.back().parameters;
+      const auto next = continuation(at);
+      if (!next) {
+        if (may_close && metric_.distance(at, begin) < same_ && open_ends_near(at) == 2) {
+          curve.kind = SurfaceComponentKind::loop;
+          curve.points.back() = curve.points.front();
+        } else {
+          leave_unjoined(curve, curve.end);
+        }
+        return;
+      }
+      SurfaceComponent& piece = pieces_[*next];
+      used_[*next] = true;
+      open = open_[*next][1];
+      curve.points.insert(curve.points.end(), piece.points.begin() + 1, piece.points.end());
+      curve.end = piece.end;
+      curve.error = std::max(curve.error, piece.error);
+      curve.tangential = curve.tangential || piece.tangential;
+      if (!piece.certified && curve.certified) curve.reason = piece.reason;
+      curve.certified = curve.certified && piece.certified;
+    }
+  }
+
+  static void leave_unjoined(SurfaceComponent& curve, BranchEnd& end) {
+    end.kind = BranchEndKind::unknown;
+    if (curve.certified) curve.reason = not_followed;
+    curve.certified = false;
+  }
+
+  /// Also those that are joined already, and the one asked for.
+  std::ptrdiff_t open_ends_near(const Parameters& at) const {
+    return std::count_if(open_ends_.begin(), open_ends_.end(), [&](const Parameters& end) {
+      return metric_.distance(at, end) < apart_ || (symmetric_ && metric_.distance(at, exchanged(end)) < apart_);
+    });
+  }
+
+  /// The one piece not used yet that begins there, turned if necessary.
+  std::optional<std::size_t> continuation(const Parameters& at) {
+    if (open_ends_near(at) != 2) return std::nullopt;
+    struct Candidate {
+      std::size_t piece = 0;
+      bool turned = false;
+      bool exchanged = false;
+      double distance = INFINITY;
+    };
+    Candidate best;
+    double second_best = INFINITY;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (used_[i]) continue;
+      for (const bool turned : {false, true}) {
+        if (!open_[i][turned ? 1 : 0]) continue;
+        const Parameters& there = (turned ? pieces_[i].points.back() : pieces_[i].points.front()).parameters;
+        for (const bool mirrored : {false, true}) {
+          if (mirrored && !symmetric_) continue;
+          const double d = metric_.distance(at, mirrored ? exchanged(there) : there);
+          if (d < best.distance) {
+            second_best = best.distance;
+            best = {i, turned, mirrored, d};
+          } else {
+            second_best = std::min(second_best, d);
+          }
+        }
+      }
+    }
+    if (!(best.distance < same_) || second_best < apart_) return std::nullopt;
+    if (best.turned) turn(best.piece);
+    if (best.exchanged) exchange(pieces_[best.piece]);
+    return best.piece;
+  }
+
+  SurfaceResult& result_;
+  const DomainBounds& bounds_;
+  Metric metric_;
+  double same_;
+  double apart_;
+  bool symmetric_;
+  std::vector<SurfaceComponent> pieces_;
+  std::vector<SurfaceComponent> rest_;
+  /// Whether start and end are to be continued.
+  std::vector<std::array<bool, 2>> open_;
+  /// Where, of all pieces.
+  std::vector<Parameters> open_ends_;
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symmetric) {
+  Joining(result, bounds, symmetric).run();
+}
+
+void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
+  const Metric metric(bounds);
+  std::vector<SurfaceComponent>& all = result.components;
+  std::vector<bool> removed(all.size(), false);
+  // Polylines are that far from their curves in the parameters at most.
+  constexpr double near = 1e-3;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (removed[i]) continue;
+    // Next to a pinch point one of both may be longer: its middle, or else its ends, has an image on the other.
+    double nearest = INFINITY;
+    std::size_t partner = i;
+    const std::size_t last = all[i].points.size() - 1;
+    for (const std::size_t sample : {last / 2, std::size_t{0}, last}) {
+      if (nearest < near) break;
+      const Parameters image = exchanged(all[i].points[sample].parameters);
+      for (std::size_t j = i; j < all.size(); ++j) {
+        if (removed[j] || all[j].kind != all[i].kind) continue;
+        const double d = distance_to(all[j], image, metric);
+        if (!(d < nearest)) continue;
+        nearest = d;
+        partner = j;
+      }
+    }
+    if (!(nearest < near)) {
+      all[i].certified = false;
+      all[i].reason = "its image under the exchange of both preimages was not found";
+    } else if (partner == i) {
+      all[i].mirrored = all[i].kind != SurfaceComponentKind::point;
+    } else {
+      removed[partner] = true;
+    }
+  }
+  std::size_t index = 0;
+  std::erase_if(all, [&](const SurfaceComponent&) { return removed[index++]; });
+}
+
+void append(SurfaceResult& all, SurfaceResult part) {
+  const std::size_t offset = all.singular_points.size();
+  for (SurfaceComponent& component : part.components) {
+    for (BranchEnd* end : {&component.start, &component.end})
+      if (end->singular_point) *end->singular_point += offset;
+    all.components.push_back(std::move(component));
+  }
+  std::move(part.singular_points.begin(), part.singular_points.end(), std::back_inserter(all.singular_points));
+  for (std::string& warning : part.warnings)
+    if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
+      all.warnings.push_back(std::move(warning));
+  all.counts.excluded += part.counts.excluded;
+  if (all.status == Status::infinite || part.status == Status::infinite) {
+    const bool certified = all.rest_status.value_or(all.status) == Status::certified &&
+                           part.rest_status.value_or(part.status) == Status::certified;
+    all.rest_status = certified ? Status::certified : Status::numeric;
+  }
+  for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
+    if (all.status == status || part.status == status) {
+      all.status = status;
+      break;
+    }
+  if (part.limit) all.limit = std::move(part.limit);
+  if (all.engine.method.empty()) all.engine = std::move(part.engine);
+}
+
+void summarise(SurfaceResult& result) {
+  std::stable_sort(result.components.begin(), result.components.end(), [](const auto& a, const auto& b) {
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.points.front().parameters < b.points.front().parameters;
+  });
+  const auto doubt = [&] {
+    if (result.status == Status::certified) result.status = Status::numeric;
+    if (result.rest_status == Status::certified) result.rest_status = Status::numeric;
+  };
+  const auto excluded = result.counts.excluded;
+  result.counts = {};
+  result.counts.excluded = excluded;
+  for (const SurfaceComponent& component : result.components) {
+    switch (component.kind) {
+      case SurfaceComponentKind::curve:
+        ++result.counts.curves;
+        break;
+      case SurfaceComponentKind::loop:
+        ++result.counts.loops;
+        break;
+      case SurfaceComponentKind::point:
+        ++result.counts.points;
+        break;
+      case SurfaceComponentKind::overlap:
+        ++result.counts.overlaps;
+        break;
+    }
+    if (!component.certified) doubt();
+  }
+  for (const SurfaceSingularPoint& point : result.singular_points)
+    if (!point.certified) doubt();
+  result.counts.singular = result.singular_points.size();
+}
+
+}  // namespace eliminant::intersect

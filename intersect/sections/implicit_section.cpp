@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <eliminant/intersect/sections/implicit_section.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <eliminant/base/error.hpp>
+#include <eliminant/intersect/patches/branch_joining.hpp>
+#include <eliminant/intersect/sections/section_factors.hpp>
+#include <eliminant/intersect/sections/section_patch.hpp>
+#include <eliminant/intersect/whole_surfaces/projective_charts.hpp>
+
+namespace eliminant::intersect {
+
+namespace {
+
+using symbolic::ParametricSurface;
+using symbolic::Polynomial;
+using symbolic::SurfacePiece;
+
+constexpr double same_within = 1e-9;
+
+bool is_unknown(const SurfacePoint& point) {
+  return std::isnan(point.parameters[0]) || std::isnan(point.parameters[1]);
+}
+
+bool is_same(double a, double b) {
+  if (a == b || (std::isnan(a) && std::isnan(b))) return true;
+  const bool large = std::fabs(a) > 1 && std::fabs(b) > 1;
+  return std::fabs(large ? 1 / a - 1 / b : a - b) < same_within;
+}
+
+bool is_same(const SurfacePoint& a, const SurfacePoint& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(std::fabs(a.point[k] - b.point[k]) <= same_within * std::max(1.0, std::fabs(a.point[k])))) return false;
+  // One point in space may have several pairs of parameters.
+  return is_same(a.parameters[0], b.parameters[0]) && is_same(a.parameters[1], b.parameters[1]);
+}
+
+SideRoles roles_of(const ProjectiveChart& chart, const ParametricSurface& surface) {
+  SideRoles roles{};
+  // Each line inside a triangle is a side u = 1 of one part and a side v = 1 of another.
+  if (chart.corner) return {{{SideRole::border, SideRole::seam}, {SideRole::border, SideRole::other_seam}}};
+  const bool whole = !surface.pieces.front().region;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t side = 0; side < 2; ++side) {
+      SideRole& role = roles[k][side];
+      if (whole) {
+        role = chart.inverted[k] ? SideRole::other_seam : SideRole::seam;
+        continue;
+      }
+      const symbolic::Interval& own = chart.piece.region->sides[k];
+      // Another piece goes on beyond this side.
+      const bool goes_on = std::any_of(surface.pieces.begin(), surface.pieces.end(), [&](const SurfacePiece& other) {
+        const symbolic::Interval& there = other.region->sides[k];
+        return side == 0 ? there.lower < own.lower : own.upper < there.upper;
+      });
+      if (goes_on) role = side == 0 ? SideRole::seam : SideRole::other_seam;
+    }
+  return roles;
+}
+
+/// Singular points that were found on several patches become one.
+void merge_singular_points(SurfaceResult& result) {
+  std::vector<SurfaceSingularPoint> merged;
+  std::vector<std::size_t> index;
+  for (SurfaceSingularPoint& point : result.singular_points) {
+    const auto same =
+        std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return is_same(m.at, point.at); });
+    index.push_back(static_cast<std::size_t>(same - merged.begin()));
+    if (same == merged.end())
+      merged.push_back(std::move(point));
+    else
+      same->certified = same->certified && point.certified;
+  }
+  result.singular_points = std::move(merged);
+  for (SurfaceComponent& component : result.components)
+    for (BranchEnd* end : {&component.start, &component.end})
+      if (end->singular_point) end->singular_point = index[*end->singular_point];
+}
+
+/// Points on their own that are another one's, or an end of a curve.
+void remove_repeated_points(SurfaceResult& result) {
+  std::vector<SurfaceComponent>& all = result.components;
+  std::vector<bool> removed(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].kind != SurfaceComponentKind::point) continue;
+    for (std::size_t j = 0; j < all.size() && !removed[i]; ++j) {
+      if (i == j || removed[j] || (all[j].kind == SurfaceComponentKind::point && j > i)) continue;
+      if (all[j].kind == SurfaceComponentKind::overlap) continue;
+      removed[i] =
+          is_same(all[j].points.front(), all[i].points.front()) || is_same(all[j].points.back(), all[i].points.front());
+    }
+  }
+  std::size_t at = 0;
+  std::erase_if(all, [&](const SurfaceComponent&) { return removed[at++]; });
+}
+
+/// Points that have a curve of parameters: on their own, the ends of curves, or left out where these only end on a
+/// border.
+void finish_collapsed_points(SurfaceResult& result) {
+  std::vector<std::size_t> ends(result.singular_points.size(), 0);
+  std::vector<bool> needed(result.singular_points.size(), false);
+  for (SurfaceComponent& component : result.components)
+    for (BranchEnd* end : {&component.start, &component.end}) {
+      if (!end->singular_point) continue;
+      ++ends[*end->singular_point];
+      if (end->kind == BranchEndKind::border)
+        end->singular_point.reset();
+      else
+        needed[*end->singular_point] = true;
+    }
+  std::vector<SurfaceSingularPoint> kept;
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    SurfaceSingularPoint& point = result.singular_points[i];
+    index.push_back(kept.size());
+    if (!is_unknown(point.at)) {
+      kept.push_back(std::move(point));
+      continue;
+    }
+    if (ends[i] > 0 && !needed[i]) continue;
+    point.half_branches = ends[i];
+    point.kind = ends[i] == 0   ? SurfaceSingularity::contact
+                 : ends[i] == 4 ? SurfaceSingularity::crossing
+                                : SurfaceSingularity::cusp;
+    if (ends[i] == 0) {
+      SurfaceComponent component;
+      component.kind = SurfaceComponentKind::point;
+      component.points.push_back(point.at);
+      component.error = point.radius;
+      component.certified = point.certified;
+      result.components.push_back(std::move(component));
+    }
+    kept.push_back(std::move(point));
+  }
+  result.singular_points = std::move(kept);
+  for (SurfaceComponent& component : result.components)
+    for (BranchEnd* end : {&component.start, &component.end})
+      if (end->singular_point) end->singular_point = index[*end->singular_point];
+}
+
+}  // namespace
+
+SurfaceResult intersect_surface_with_equation(const ParametricSurface& surface, const Polynomial& equation,
+                                              const Options& options, const Context& context) {
+  if (equation.is_constant())
+    throw InvalidInput("the equation of a surface is constant", "a polynomial in x, y, z that is not constant");
+  const auto start = std::chrono::steady_clock::now();
+  SurfaceResult result;
+  result.status = Status::certified;
+  if (!surface.pieces.front().region && section_polynomial(surface.pieces.front().map, equation).is_zero()) {
+    // All of a surface without borders.
+    SurfaceComponent overlap;
+    overlap.kind = SurfaceComponentKind::overlap;
+    overlap.certified = options.certify;
+    result.components.push_back(std::move(overlap));
+    result.engine.method = "equation";
+    summarise(result);
+    result.status = Status::infinite;
+    return result;
+  }
+  try {
+    for (const ProjectiveChart& chart : projective_charts(surface, 2)) {
+      SurfaceResult part =
+          intersect_patch_with_equation(chart.piece, equation, roles_of(chart, surface), options, context);
+      to_surface_parameters(part, chart, chart);
+      append(result, std::move(part));
+    }
+  } catch (const LimitReached& limit) {
+    result.status = Status::incomplete;
+    result.limit = limit.what();
+  }
+  merge_singular_points(result);
+  join_branches(result, domain_bounds(surface, ParametricSurface()));
+  remove_repeated_points(result);
+  finish_collapsed_points(result);
+  const Status status = result.status;
+  summarise(result);
+  if (status == Status::incomplete || status == Status::infinite) result.status = status;
+  result.seconds.emplace_back("total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return result;
+}
+
+void exchange_surfaces(SurfaceResult& result) {
+  const auto exchange = [](auto& values) {
+    std::swap(values[0], values[2]);
+    std::swap(values[1], values[3]);
+  };
+  for (SurfaceComponent& component : result.components) {
+    for (SurfacePoint& point : component.points) exchange(point.parameters);
+    for (BranchEnd* end : {&component.start, &component.end}) {
+      exchange(end->side);
+      std::swap(end->third_side[0], end->third_side[1]);
+    }
+    std::swap(component.along_seam[0], component.along_seam[1]);
+  }
+  for (SurfaceSingularPoint& point : result.singular_points) exchange(point.at.parameters);
+}
+
+}  // namespace eliminant::intersect

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <support/surface_checks.hpp>
+
+#include <eliminant/intersect/patches/patch_pair.hpp>
+
+// Patches that touch along curves: crossed by branches, and along borders.
+using namespace eliminant;
+using namespace eliminant::intersect;
+using namespace eliminant::test;
+
+namespace {
+
+SurfaceResult solved(const PatchText& first, const PatchText& second, double tolerance = Options().tolerance) {
+  Options options;
+  options.tolerance = tolerance;
+  return intersect_patches(patch(first), patch(second), options, Context());
+}
+
+struct Seam {
+  std::string name;
+  PatchText first;
+  PatchText second;
+};
+
+const std::vector<Seam> seams{
+    {"on both sides, tangent", {"u", "v", "u^2"}, {"1 + u", "v", "1 + 2*u - 3*u^2"}},
+    {"on both sides, with equal curvature", {"u", "v", "u^2"}, {"1 + u", "v", "1 + 2*u + u^2 - u^3"}},
+    {"on both sides, turned round", {"u", "v", "u^2"}, {"2 - u", "1 - v", "1 + 2*(1 - u) - 3*(1 - u)^2"}},
+    {"on both sides, parameters exchanged", {"u", "v", "u^2"}, {"1 + v", "u", "1 + 2*v - 3*v^2"}},
+    {"on both sides, a part of the border", {"u", "v", "u^2"}, {"1 + u", "v/2 + 1/4", "1 + 2*u - 3*u^2"}},
+    {"on both sides, parts of both borders", {"u", "v", "u^2"}, {"1 + u", "v + 1/2", "1 + 2*u - 3*u^2"}},
+    {"on both sides, bent along the seam", {"u", "v", "u*v"}, {"-u", "v", "-u*v + u^2*(1 + v)"}},
+    {"on one side", {"u", "v", "u*v"}, {"u", "v", "u*v + u^2*(1 + v)/4"}},
+    {"inside of the other patch", {"u", "v", "0"}, {"u", "v/4 + 1/2", "v^2*(1 + u)"}},
+    {"partly inside of the other patch", {"u", "v", "0"}, {"u + 1/2", "v/2 + 1/4", "v^2*(1 + u)"}},
+    {"a quarter of a cylinder on its plane", {"u - 1", "v", "0"}, {"2*u", "v*(1 + u^2)", "2*u^2", "1 + u^2"}},
+};
+
+}  // namespace
+
+TEST_CASE("Patch contacts: a common border with common tangent planes is certified, whatever the sides") {
+  for (const Seam& seam : seams)
+    for (const bool exchanged : {false, true}) {
+      CAPTURE(seam.name);
+      CAPTURE(exchanged);
+      const SurfaceResult result = exchanged ? solved(seam.second, seam.first) : solved(seam.first, seam.second);
+      CHECK(result.status == Status::certified);
+      CHECK(result.warnings.empty());
+      REQUIRE(result.components.size() == 1);
+      const SurfaceComponent& curve = result.components[0];
+      CHECK(curve.kind == SurfaceComponentKind::curve);
+      CHECK(curve.tangential);
+      CHECK(curve.certified);
+      CHECK(curve.reason.empty());
+      CHECK(curve.error < 1e-9);
+    }
+}
+
+TEST_CASE("Patch contacts: beside a seam the patches may meet again") {
+  const SurfaceResult result = solved({"u", "v", "u^2"}, {"1 - u", "v", "1 - 2*u + 5*u^2 - 8*u^3"});
+  CHECK(result.status == Status::certified);
+  REQUIRE(result.components.size() == 2);
+  CHECK(std::count_if(result.components.begin(), result.components.end(),
+                      [](const SurfaceComponent& c) { return c.tangential; }) == 1);
+  for (const SurfaceComponent& component : result.components) {
+    // At 4 u^2 = 8 u^3.
+    const double x = component.tangential ? 1 : 0.5;
+    for (const SurfacePoint& point : component.points) CHECK(point.point[0] == doctest::Approx(x));
+  }
+}
+
+TEST_CASE("Patch contacts: a seam on one side with equal curvature, or met by a branch, is not certified") {
+  for (const PatchText& second : {PatchText{"1 - u", "v", "1 - 2*u + u^2 - u^3"},
+                                  PatchText{"1 - u", "v", "1 - 2*u + u^2 + u^2*(v - 1/2 + u/3)"}}) {
+    const SurfaceResult result = solved({"u", "v", "u^2"}, second);
+    CHECK(result.status == Status::numeric);
+    CHECK((!result.singular_points.empty() || !result.warnings.empty()));
+  }
+}
+
+TEST_CASE("Patch contacts: curves of contact and branches that cross them keep to the tolerance, down to 1e-9") {
+  const PatchText saddle{"u", "v", "u*v"};
+  for (const std::string factor : {"(u + v - 1)", "(u + 2*v - 7/5)*2", "(u + v/3 - 2/3 + u*v/5)"}) {
+    CAPTURE(factor);
+    const PatchText second{"u", "v", "u*v + (u - v)^2*" + factor};
+    for (const double tolerance : {1e-5, 1e-9}) {
+      CAPTURE(tolerance);
+      const SurfaceResult result = solved(saddle, second, tolerance);
+      CHECK(result.status == Status::certified);
+      // Both curves are cut where they cross.
+      REQUIRE(result.components.size() == 4);
+      CHECK(std::count_if(result.components.begin(), result.components.end(),
+                          [](const SurfaceComponent& c) { return c.tangential; }) == 2);
+      for (const SurfaceComponent& component : result.components) CHECK(component.error <= tolerance);
+      REQUIRE(result.singular_points.size() == 1);
+      CHECK(result.singular_points[0].radius < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("Patch contacts: points of a branch beside its crossing are on both patches and on the branch") {
+  const SurfaceResult result = solved({"u", "v", "u*v"}, {"u", "v", "u*v + (u - v)^2*(u + v - 1)"});
+  REQUIRE(result.components.size() == 4);
+  for (const SurfaceComponent& component : result.components)
+    for (const SurfacePoint& at : component.points) {
+      const double apart = component.tangential ? at.point[0] - at.point[1] : at.point[0] + at.point[1] - 1;
+      CHECK(std::fabs(apart) <= 2 * component.error);
+      CHECK(std::fabs(at.parameters[0].value_or(9) - at.parameters[2].value_or(-9)) <= 2 * component.error);
+    }
+}
