@@ -80,3 +80,22 @@ TEST_CASE("Injectivity: never claimed where two parameters are planted at one po
                                            : ParameterRectangle{{0.4375, 0.125}, {0.5625, 0.875}}));
   }
 }
+
+TEST_CASE("Injectivity: of two parts with a kink between them, at any angle but a fold") {
+  // From u = 0 to 1 in a plane, from 1 to 2 in another one.
+  const auto joined = [](const PatchText& first, const PatchText& second, double scale = 1) {
+    const ControlNet a = in_doubles(patch_net(first));
+    const ControlNet b = in_doubles(patch_net(second));
+    return is_injective_on({NetOnRectangle{a, whole}, NetOnRectangle{b, whole, {scale, 1}}});
+  };
+  CHECK(joined({"u", "v", "u"}, {"1 + u", "v", "1 - u"}));
+  CHECK(joined({"u", "v", "0"}, {"1", "v", "u"}));
+  CHECK(joined({"u", "v", "u/5"}, {"1 - u", "v", "1/5 + u/5"}));
+  // The second parameter runs faster, or its part is longer.
+  CHECK(joined({"u", "v", "0"}, {"1", "v", "u"}, 50));
+  CHECK(joined({"u", "v", "0"}, {"1", "v", "30*u"}));
+  CHECK_FALSE(joined({"u", "v", "0"}, {"1 - u", "v", "0"}));
+  CHECK_FALSE(joined({"u", "v", "0"}, {"1 - u/2", "v", "0"}));
+  // (u, v) and (v, u) have opposite orientations.
+  CHECK_FALSE(joined({"u", "v", "0"}, {"v", "u", "0"}));
+}

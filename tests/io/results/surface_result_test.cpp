@@ -209,4 +209,7 @@ TEST_CASE("Surface results: words of every kind are different") {
   intersect::BranchEnd corner;
   corner.side = {1, -1, 0, 1};
   CHECK(border_words(corner) == std::vector<std::string>{"u=upper", "v=lower", "t=upper"});
+  corner.side = {0, -1, -1, 0};
+  corner.third_side = {true, true};
+  CHECK(border_words(corner) == std::vector<std::string>{"v=lower", "u+v=upper", "s=lower", "s+t=upper"});
 }
