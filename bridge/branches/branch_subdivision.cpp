@@ -270,7 +270,7 @@ class Subdivision {
     if (const SurfaceContact* contact = known()) return contact;
     if (!likely && !(widest < look_for_contact_)) return nullptr;
     const auto found = contacts_->find(box);
-    const auto same = [&](const SurfaceContact& contact) { return contact.parameters == found->parameters; };
+    const auto same = [&](const SurfaceContact& contact) { return contact.rounded == found->rounded; };
     if (!found || std::any_of(known_contacts_.begin(), known_contacts_.end(), same)) {
       if (!likely) look_for_contact_ *= 0.5;
       return nullptr;

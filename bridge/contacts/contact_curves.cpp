@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include <eliminant/bridge/contacts/contact_curve_points.hpp>
-#include <eliminant/bridge/contacts/contact_relation_fit.hpp>
-#include <eliminant/bridge/nets/function_net.hpp>
-#include <eliminant/symbolic/geometry/bezier.hpp>
+#include <eliminant/bridge/contact_curve_points.hpp>
+#include <eliminant/bridge/contact_relation_fit.hpp>
+#include <eliminant/bridge/exact_map.hpp>
+#include <eliminant/bridge/function_net.hpp>
 
 namespace eliminant::bridge {
 
@@ -17,19 +17,11 @@ namespace {
 /// Around singular points of a curve nothing is ever proven.
 constexpr unsigned long most_failures = 20000;
 
-std::vector<symbolic::Polynomial> polynomials_of(const ExactNet& net) {
-  const std::size_t row = net.degrees[1] + 1;
-  std::vector<std::vector<symbolic::ControlPoint>> rows(net.degrees[0] + 1);
-  for (std::size_t i = 0; i < net.points.size(); ++i)
-    rows[i / row].emplace_back(net.points[i].begin(), net.points[i].end());
-  return symbolic::bezier_patch(rows).map.coordinates();
-}
-
 }  // namespace
 
 const std::vector<symbolic::Polynomial>& ContactCurves::coordinates(bool of_second) {
   std::vector<symbolic::Polynomial>& result = coordinates_[of_second ? 1 : 0];
-  if (result.empty()) result = polynomials_of(of_second ? exact_second_ : exact_first_);
+  if (result.empty()) result = coordinates_of(of_second ? exact_second_ : exact_first_);
   return result;
 }
 

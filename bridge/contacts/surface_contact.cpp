@@ -6,13 +6,14 @@
 
 #include <Eigen/LU>
 
-#include <eliminant/bridge/contacts/contact_conditions.hpp>
-#include <eliminant/bridge/contacts/tangential_elimination.hpp>
-#include <eliminant/bridge/enclosures/double_interval.hpp>
-#include <eliminant/bridge/nets/patch_jets.hpp>
-#include <eliminant/bridge/nets/taylor_tables.hpp>
-#include <eliminant/bridge/rounding/rational_double.hpp>
-#include <eliminant/bridge/rounding/simple_fraction.hpp>
+#include <eliminant/bridge/algebraic_contact.hpp>
+#include <eliminant/bridge/contact_conditions.hpp>
+#include <eliminant/bridge/double_interval.hpp>
+#include <eliminant/bridge/patch_jets.hpp>
+#include <eliminant/bridge/rational_double.hpp>
+#include <eliminant/bridge/simple_fraction.hpp>
+#include <eliminant/bridge/tangential_elimination.hpp>
+#include <eliminant/bridge/taylor_tables.hpp>
 
 namespace eliminant::bridge {
 
@@ -85,18 +86,23 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
   constexpr double at_rest = 1e-8;
   if (!(last_step < at_rest)) return std::nullopt;
   SurfaceContact contact;
-  for (std::size_t k = 0; k < 4; ++k) {
+  bool simple = true;
+  for (std::size_t k = 0; k < 4 && simple; ++k) {
     const double at = x[static_cast<long>(k)];
     constexpr double inside = 1e-9;
-    if (!(at > inside) || !(at < 1 - inside)) return std::nullopt;
+    if (!(x.minCoeff() > inside) || !(x.maxCoeff() < 1 - inside)) return std::nullopt;
     // Parts of domains have large denominators.
     constexpr double accuracy = 1e-12;
     constexpr double largest_denominator = 0x1p18;
     const auto fraction = simple_fraction(at, accuracy, largest_denominator);
-    if (!fraction) return std::nullopt;
-    contact.parameters[k] = *fraction;
+    simple = fraction.has_value();
+    if (simple) contact.parameters[k] = *fraction;
   }
-  if (!is_contact(contact.parameters)) return std::nullopt;
+  if (!simple || !is_contact(contact.parameters)) {
+    const auto algebraic = algebraic_contact(first_, second_, exact_first_, exact_second_, {x[0], x[1], x[2], x[3]});
+    if (!algebraic) return std::nullopt;
+    contact.parameters = *algebraic;
+  }
   for (std::size_t k = 0; k < 4; ++k) contact.rounded[k] = nearest(contact.parameters[k]);
   return contact;
 }

@@ -11,8 +11,9 @@
 
 namespace eliminant::bridge {
 
-/// A point where two patches touch, at rational parameters (u, v, s, t), proven by exact substitution.
+/// A point where two patches touch, proven by exact substitution.
 struct SurfaceContact {
+  /// u, v, s, t: as they are where they are rational with small denominators, else within 2^-150.
   std::array<symbolic::Rational, 4> parameters;
   std::array<double, 4> rounded{};
 };
@@ -33,13 +34,15 @@ struct ContactNeighbourhood {
   std::optional<std::size_t> half_arc(double u, double v) const;
 };
 
-/// Recognises contacts of two tensor-product patches at rational parameters, and proves what is around them.
+/// Recognises contacts of two tensor-product patches at rational and algebraic parameters, and proves what is around
+/// them.
 ///
 /// Newton's method on the conditions that the normals are parallel and the difference is orthogonal to the second patch
-/// finds a contact in doubles, continued fractions its parameters, exact substitution proves it. With (s, t) as the
-/// function of (u, v) that keeps the coordinates along the tangent plane equal, the rest of the difference has a
-/// critical zero; where its Hessian is definite on a whole box there is no other zero, where it is indefinite with
-/// asymptotic directions that hardly turn there are two arcs that cross (Morse's lemma with bounds).
+/// finds a contact in doubles, continued fractions its parameters, exact substitution proves it; where they are no
+/// simple fractions, algebraic_contact does. With (s, t) as the function of (u, v) that keeps the coordinates along the
+/// tangent plane equal, the rest of the difference has a critical zero; where its Hessian is definite on a whole box
+/// there is no other zero, where it is indefinite with asymptotic directions that hardly turn there are two arcs that
+/// cross (Morse's lemma with bounds).
 class SurfaceContactProver {
  public:
   /// All must outlive the object.

@@ -54,4 +54,41 @@ std::array<RealBall, 3> BallPatch::point_at(const RealBall& u, const RealBall& v
   return point;
 }
 
+std::array<RealBall, 3> BallPatch::coordinate_jet_at(std::size_t k, const RealBall& u, const RealBall& v) const {
+  const auto times_plus = [&](RealBall& sum, const RealBall& factor, const RealBall& term) {
+    arb_mul(sum.get(), sum.get(), factor.get(), precision_bits_);
+    arb_add(sum.get(), sum.get(), term.get(), precision_bits_);
+  };
+  std::array<RealBall, 3> jet;
+  const std::size_t columns = degree_[1] + 1;
+  for (std::size_t i = degree_[0] + 1; i-- > 0;) {
+    RealBall row;
+    RealBall slope;
+    for (std::size_t j = columns; j-- > 0;) {
+      times_plus(slope, v, row);
+      times_plus(row, v, coefficients_[k][i * columns + j]);
+    }
+    times_plus(jet[1], u, jet[0]);
+    times_plus(jet[0], u, row);
+    times_plus(jet[2], u, slope);
+  }
+  return jet;
+}
+
+BallPatch::Jet BallPatch::jet_at(const RealBall& u, const RealBall& v) const {
+  std::array<std::array<RealBall, 3>, 4> of;
+  for (std::size_t k = 0; k < 4; ++k) of[k] = coordinate_jet_at(k, u, v);
+  Jet jet;
+  for (std::size_t k = 0; k < 3; ++k) {
+    arb_div(jet.point[k].get(), of[k][0].get(), of[weight][0].get(), precision_bits_);
+    for (std::size_t p = 0; p < 2; ++p) {
+      RealBall& slope = jet.by[p][k];
+      arb_set(slope.get(), of[k][1 + p].get());
+      arb_submul(slope.get(), jet.point[k].get(), of[weight][1 + p].get(), precision_bits_);
+      arb_div(slope.get(), slope.get(), of[weight][0].get(), precision_bits_);
+    }
+  }
+  return jet;
+}
+
 }  // namespace eliminant::bridge

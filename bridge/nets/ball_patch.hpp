@@ -19,8 +19,17 @@ class BallPatch {
   /// finite.
   std::array<RealBall, 3> point_at(const RealBall& u, const RealBall& v) const;
 
+  /// The affine point and its derivatives by both parameters.
+  struct Jet {
+    std::array<RealBall, 3> point;
+    std::array<std::array<RealBall, 3>, 2> by;
+  };
+  Jet jet_at(const RealBall& u, const RealBall& v) const;
+
  private:
   RealBall coordinate_at(std::size_t k, const RealBall& u, const RealBall& v) const;
+  /// The value, and the derivatives by u and v.
+  std::array<RealBall, 3> coordinate_jet_at(std::size_t k, const RealBall& u, const RealBall& v) const;
 
   long precision_bits_;
   bool polynomial_ = true;

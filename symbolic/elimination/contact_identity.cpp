@@ -58,6 +58,31 @@ Polynomial minor(const Coordinates& a, const Coordinates& b, std::size_t i, std:
   return a[i] * b[j] - a[j] * b[i];
 }
 
+/// The determinant of four rows, by Laplace's expansion by pairs of rows.
+Polynomial determinant_of(const Coordinates& a, const Coordinates& b, const Coordinates& c, const Coordinates& d) {
+  const auto term = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+    return minor(a, b, i, j) * minor(c, d, k, l);
+  };
+  return term(0, 1, 2, 3) - term(0, 2, 1, 3) + term(0, 3, 1, 2) + term(1, 2, 0, 3) - term(1, 3, 0, 2) +
+         term(2, 3, 0, 1);
+}
+
+/// The homogeneous coordinates and their derivatives by both parameters.
+struct Jet {
+  Coordinates point;
+  std::array<Coordinates, 2> by;
+};
+
+/// At (a, b) given as polynomials.
+Jet jet_at(const std::vector<Polynomial>& map, const std::array<Polynomial, 2>& at) {
+  const auto composed = [&](const auto& p_of) {
+    return Coordinates{p_of(0).compose(at), p_of(1).compose(at), p_of(2).compose(at), p_of(3).compose(at)};
+  };
+  return {composed([&](std::size_t k) { return map[k]; }),
+          {composed([&](std::size_t k) { return map[k].derivative(0); }),
+           composed([&](std::size_t k) { return map[k].derivative(1); })}};
+}
+
 }  // namespace
 
 bool vanishes_along(const Polynomial& p, const Polynomial& curve) { return divides(curve, p); }
@@ -86,15 +111,20 @@ bool touch_along(const std::vector<Polynomial>& first, const std::vector<Polynom
   for (std::size_t parameter = 0; parameter < 2; ++parameter) {
     Coordinates along{Polynomial(2), Polynomial(2), Polynomial(2), Polynomial(2)};
     for (std::size_t k = 0; k < 4; ++k) along[k] = first[k].derivative(parameter);
-    // Laplace's expansion by pairs of rows.
-    const auto term = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
-      return minor(along, point, i, j) * minor(by_s, by_t, k, l);
-    };
-    const Polynomial determinant =
-        term(0, 1, 2, 3) - term(0, 2, 1, 3) + term(0, 3, 1, 2) + term(1, 2, 0, 3) - term(1, 3, 0, 2) + term(2, 3, 0, 1);
-    if (!divides(relation.curve, determinant)) return false;
+    if (!divides(relation.curve, determinant_of(along, point, by_s, by_t))) return false;
   }
   return true;
+}
+
+bool touch_at_roots(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
+                    const Polynomial& minimal, const std::array<Polynomial, 4>& parameters) {
+  if (minimal.is_constant()) throw InvalidInput("maps were compared at roots of a constant", "a polynomial with roots");
+  const Jet a = jet_at(first, {parameters[0], parameters[1]});
+  const Jet b = jet_at(second, {parameters[2], parameters[3]});
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!divides(minimal, minor(a.point, b.point, k, 3))) return false;
+  return divides(minimal, determinant_of(a.by[0], b.point, b.by[0], b.by[1])) &&
+         divides(minimal, determinant_of(a.by[1], b.point, b.by[0], b.by[1]));
 }
 
 }  // namespace eliminant::symbolic

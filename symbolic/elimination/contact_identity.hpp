@@ -27,4 +27,11 @@ bool vanishes_along(const Polynomial& p, const Polynomial& curve);
 bool touch_along(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
                  const ContactRelation& relation);
 
+/// Whether both maps have equal points and equal tangent planes at parameters (u, v, s, t) that are the values of these
+/// polynomials in the first variable at a root of `minimal`, whichever it is, if the weights are not zero there and the
+/// second map is immersed: `minimal`, in the first variable alone, divides the minors that say so. Throws InvalidInput
+/// where it is constant.
+bool touch_at_roots(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
+                    const Polynomial& minimal, const std::array<Polynomial, 4>& parameters);
+
 }  // namespace eliminant::symbolic

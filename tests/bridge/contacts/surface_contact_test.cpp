@@ -137,12 +137,23 @@ TEST_CASE("Surface contact: nor of boxes that hold more than one contact") {
   CHECK_FALSE(alone->crossing);
 }
 
-TEST_CASE("Surface contact: none where the patches cross, miss each other, or touch at irrational parameters") {
+TEST_CASE("Surface contact: none where the patches cross, miss each other, or touch along an irrational line") {
   for (const std::string height : {"u - 1/2", "(u - 1/2)^2 + (v - 1/2)^2 + 1/1000000000000",
-                                   "(u - 1/2)^2 + (v - 1/2)^2 - 1/1000000000000000", "(u^2 - 1/3)^2 + (v - 1/2)^2"}) {
+                                   "(u - 1/2)^2 + (v - 1/2)^2 - 1/1000000000000000", "(u^2 - 1/3)^2"}) {
     CAPTURE(height);
     CHECK_FALSE(Pair(ground, {"u", "v", height}).prover.find(around(0.5, 0.5, 1.0 / 8)));
   }
   // Not one outside of the domain.
   CHECK_FALSE(Pair(ground, {"u", "v", "(u + 1/64)^2 + (v - 1/2)^2"}).prover.find(around(0.0625, 0.5, 1.0 / 16)));
+}
+
+TEST_CASE("Surface contact: at irrational parameters, on its own") {
+  const Pair pair(ground, {"u", "v", "(u^2 - 1/3)^2 + (v - 1/2)^2"});
+  const auto contact = pair.prover.find(around(0.5, 0.5, 1.0 / 8));
+  REQUIRE(contact);
+  CHECK(contact->rounded[0] == doctest::Approx(std::sqrt(1.0 / 3)));
+  CHECK(contact->rounded[3] == 0.5);
+  const auto neighbourhood = pair.prover.neighbourhood(*contact, around(0.57, 0.5, 1.0 / 32));
+  REQUIRE(neighbourhood);
+  CHECK_FALSE(neighbourhood->crossing);
 }

@@ -35,6 +35,19 @@ TEST_CASE("Ball patch: encloses the exact point, of polynomial and rational patc
   }
 }
 
+TEST_CASE("Ball patch: derivatives by both parameters are those of the quotients") {
+  const BallPatch balls(patch_net({"u*v^2", "v", "u", "1 + u"}), 128);
+  const symbolic::Rational u = ratio(1, 3);
+  const symbolic::Rational v = ratio(2, 5);
+  const auto jet = balls.jet_at(ball(u), ball(v));
+  const symbolic::Rational w = symbolic::Rational(1) + u;
+  CHECK(encloses(jet.point[0], u * v * v / w));
+  CHECK(encloses(jet.by[0][0], v * v / (w * w)));
+  CHECK(encloses(jet.by[1][0], symbolic::Rational(2) * u * v / w));
+  CHECK(encloses(jet.by[0][1], symbolic::Rational(0) - v / (w * w)));
+  CHECK(encloses(jet.by[1][2], symbolic::Rational(0)));
+}
+
 TEST_CASE("Ball patch: where the weight is zero no coordinate is finite") {
   const BallPatch balls(patch_net({"1", "v", "u", "u - 1/2"}), 64);
   CHECK(arb_is_finite(balls.point_at(ball(ratio(1, 2)), ball(ratio(1, 3)))[0].get()) == 0);

@@ -64,18 +64,19 @@ TEST_CASE("Border curves: several meetings, and none at parameters beyond the en
 TEST_CASE("Border curves: what lies in the other patch, all of it or a part") {
   const Pair all({"u", "v", "0"}, {"u", "v", "u"});
   for (const std::size_t axis : {0U, 2U}) {
-    const auto parts = all.curves.contained(axis, -1);
+    const auto parts = all.curves.contained(axis, -1).intervals;
     REQUIRE(parts.size() == 1);
     CHECK(parts[0] == std::array<double, 2>{0, 1});
-    CHECK(all.curves.contained(axis, 1).empty());
-    CHECK(all.curves.contained(axis + 1, -1).empty());
+    CHECK(all.curves.contained(axis, 1).intervals.empty());
+    CHECK(all.curves.contained(axis + 1, -1).intervals.empty());
   }
   // x = 0 from y = 1/4 to 3/4 only.
   const Pair part({"u", "v", "0"}, {"u", "v/2 + 1/4", "u"});
-  const auto parts = part.curves.contained(0, -1);
+  const auto parts = part.curves.contained(0, -1).intervals;
   REQUIRE(parts.size() == 1);
   CHECK(is_near(parts[0], 0.25, 0.75));
-  const auto other = part.curves.contained(2, -1);
+  CHECK(part.curves.contained(0, -1).nothing_else);
+  const auto other = part.curves.contained(2, -1).intervals;
   REQUIRE(other.size() == 1);
   CHECK(other[0] == std::array<double, 2>{0, 1});
 }
@@ -83,5 +84,5 @@ TEST_CASE("Border curves: what lies in the other patch, all of it or a part") {
 TEST_CASE("Border curves: a border that is one point meets and holds nothing") {
   Pair cone({"u*v", "u*(1 - v)", "u"}, {"u", "v", "0"});
   CHECK(cone.curves.meetings(0, -1, 2, -1).empty());
-  CHECK(cone.curves.contained(0, -1).empty());
+  CHECK(cone.curves.contained(0, -1).intervals.empty());
 }

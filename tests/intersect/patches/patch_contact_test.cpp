@@ -112,6 +112,36 @@ TEST_CASE("Patch contacts: points of a branch beside its crossing are on both pa
     for (const SurfacePoint& at : component.points) {
       const double apart = component.tangential ? at.point[0] - at.point[1] : at.point[0] + at.point[1] - 1;
       CHECK(std::fabs(apart) <= 2 * component.error);
-      CHECK(std::fabs(at.parameters[0].value_or(9) - at.parameters[2].value_or(-9)) <= 2 * component.error);
+      CHECK(std::fabs(at.parameters[0] - at.parameters[2]) <= 2 * component.error);
     }
+}
+
+TEST_CASE("Patch contacts: points at irrational parameters are certified, on their own and where branches cross") {
+  // At u = v = sqrt(1/2), at a root of degree 3 and at u = sqrt(1/2), v = sqrt(1/3); the saddle is met in other
+  // parameters, too.
+  const std::vector<std::array<std::string, 2>> roots{
+      {"u - v", "u*v - 1/2"}, {"u^2 - v", "u*v - 1/3"}, {"u^2 - 1/2", "v^2 - 1/3"}};
+  for (const auto& [a, b] : roots)
+    for (const std::string form : {"x^2 + 2*y^2 + x*y", "x^2 - 2*y^2"}) {
+      const bool definite = form[4] == '+';
+      const std::string x = "(" + a + ")";
+      const std::string y = "(" + b + ")";
+      const std::string height = definite ? x + "^2 + 2*" + y + "^2 + " + x + "*" + y : x + "^2 - 2*" + y + "^2";
+      CAPTURE(height);
+      const SurfaceResult result = solved({"u", "v", "u*v/3"}, {"u", "v", "u*v/3 + " + height}, 1e-6);
+      CHECK(result.status == Status::certified);
+      REQUIRE(result.singular_points.size() == 1);
+      CHECK(result.singular_points[0].certified);
+      CHECK(result.singular_points[0].kind == (definite ? SurfaceSingularity::contact : SurfaceSingularity::crossing));
+      CHECK(result.components.size() == (definite ? 1 : 4));
+    }
+}
+
+TEST_CASE("Patch contacts: near misses at irrational parameters are none") {
+  const std::string height = "(u - v)^2 + (u*v - 1/2)^2";
+  for (const std::string gap : {"1/1000000000", "1/1000000000000"}) {
+    const SurfaceResult apart = solved({"u", "v", "0"}, {"u", "v", height + " + " + gap}, 1e-6);
+    for (const SurfaceSingularPoint& point : apart.singular_points) CHECK_FALSE(point.certified);
+    CHECK(apart.components.empty());
+  }
 }
