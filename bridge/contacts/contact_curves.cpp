@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include <eliminant/bridge/contact_curve_points.hpp>
-#include <eliminant/bridge/contact_relation_fit.hpp>
-#include <eliminant/bridge/exact_map.hpp>
-#include <eliminant/bridge/function_net.hpp>
+#include <eliminant/bridge/contacts/contact_curve_points.hpp>
+#include <eliminant/bridge/contacts/contact_relation_fit.hpp>
+#include <eliminant/bridge/nets/exact_map.hpp>
+#include <eliminant/bridge/nets/function_net.hpp>
 
 namespace eliminant::bridge {
 

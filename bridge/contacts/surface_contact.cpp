@@ -6,14 +6,14 @@
 
 #include <Eigen/LU>
 
-#include <eliminant/bridge/algebraic_contact.hpp>
-#include <eliminant/bridge/contact_conditions.hpp>
-#include <eliminant/bridge/double_interval.hpp>
-#include <eliminant/bridge/patch_jets.hpp>
-#include <eliminant/bridge/rational_double.hpp>
-#include <eliminant/bridge/simple_fraction.hpp>
-#include <eliminant/bridge/tangential_elimination.hpp>
-#include <eliminant/bridge/taylor_tables.hpp>
+#include <eliminant/bridge/contacts/algebraic_contact.hpp>
+#include <eliminant/bridge/contacts/contact_conditions.hpp>
+#include <eliminant/bridge/contacts/tangential_elimination.hpp>
+#include <eliminant/bridge/enclosures/double_interval.hpp>
+#include <eliminant/bridge/nets/patch_jets.hpp>
+#include <eliminant/bridge/nets/taylor_tables.hpp>
+#include <eliminant/bridge/rounding/rational_double.hpp>
+#include <eliminant/bridge/rounding/simple_fraction.hpp>
 
 namespace eliminant::bridge {
 

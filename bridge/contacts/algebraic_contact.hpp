@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include <eliminant/bridge/control_net.hpp>
+#include <eliminant/bridge/nets/control_net.hpp>
 #include <eliminant/symbolic/arithmetic/rational.hpp>
 
 namespace eliminant::bridge {

@@ -5,7 +5,7 @@
 
 #include <support/text_patches.hpp>
 
-#include <eliminant/bridge/algebraic_contact.hpp>
+#include <eliminant/bridge/contacts/algebraic_contact.hpp>
 
 using namespace eliminant;
 using namespace eliminant::bridge;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <eliminant/bridge/algebraic_contact.hpp>
+#include <eliminant/bridge/contacts/algebraic_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include <Eigen/LU>
 
-#include <eliminant/bridge/ball_patch.hpp>
-#include <eliminant/bridge/contact_conditions.hpp>
-#include <eliminant/bridge/exact_map.hpp>
+#include <eliminant/bridge/contacts/contact_conditions.hpp>
+#include <eliminant/bridge/nets/ball_patch.hpp>
+#include <eliminant/bridge/nets/exact_map.hpp>
 #include <eliminant/symbolic/arithmetic/integer_relation.hpp>
 #include <eliminant/symbolic/elimination/contact_identity.hpp>
 

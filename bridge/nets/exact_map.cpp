@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <eliminant/bridge/exact_map.hpp>
+#include <eliminant/bridge/nets/exact_map.hpp>
 
 #include <eliminant/symbolic/geometry/bezier.hpp>
 

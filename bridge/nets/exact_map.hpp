@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <eliminant/bridge/control_net.hpp>
+#include <eliminant/bridge/nets/control_net.hpp>
 #include <eliminant/symbolic/arithmetic/polynomial.hpp>
 
 namespace eliminant::bridge {
