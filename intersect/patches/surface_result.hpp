@@ -106,7 +106,7 @@ enum class SurfaceSingularity {
 struct SurfaceSingularPoint {
   SurfaceSingularity kind = SurfaceSingularity::undecided;
   SurfacePoint at;
-  /// Bounds the error of each parameter and coordinate.
+  /// Bounds the error of each parameter and coordinate; of an infinite parameter that of its inverse.
   double radius = 0;
   /// Of a triple point, beside the two in `at`.
   std::optional<std::array<double, 2>> third_preimage;

@@ -46,20 +46,31 @@ class ParameterReader {
     for (const LinearParameter& q : quotients) forms_.emplace_back(LinearForm(q.numerator), LinearForm(q.denominator));
   }
 
-  /// By the quotient that is farthest from 0/0.
-  DoubleInterval at(const std::array<double, 3>& point, double radius) const {
+  struct Bounded {
+    double value;
+    double radius;
+  };
+
+  /// For all points within the radius, by the quotient that is farthest from 0/0; of an infinite value the radius
+  /// bounds the inverse. Infinite where nothing is known.
+  Bounded at(const std::array<double, 3>& point, double radius) const {
     const std::array<DoubleInterval, 3> ball{DoubleInterval::around(point[0], radius),
                                              DoubleInterval::around(point[1], radius),
                                              DoubleInterval::around(point[2], radius)};
-    DoubleInterval result(-INFINITY, INFINITY);
+    Bounded result{NAN, INFINITY};
     double largest = -1;
     for (const auto& [numerator, denominator] : forms_) {
       const DoubleInterval a = numerator.at(ball);
       const DoubleInterval b = denominator.at(ball);
       const double size = std::max(std::fabs(middle(a)), std::fabs(middle(b)));
-      if (size <= largest) continue;
+      if (!(size > largest)) continue;
       largest = size;
-      result = b.excludes_zero() ? a / b : DoubleInterval(-INFINITY, INFINITY);
+      if (b.excludes_zero()) {
+        const DoubleInterval value = a / b;
+        result = {middle(value), DoubleInterval::around(0, width(value)).upper};
+      } else {
+        result = {INFINITY, a.excludes_zero() ? (b / a).magnitude() : INFINITY};
+      }
     }
     return result;
   }
@@ -124,10 +135,10 @@ bool lift(SurfaceResult& result, const LinearInversion& inversion) {
       for (std::size_t k = 0; k < 2; ++k) point.parameters[2 + k] = readers[k].middle_at(point.point);
   for (SurfaceSingularPoint& singular : result.singular_points)
     for (std::size_t k = 0; k < 2; ++k) {
-      const DoubleInterval value = readers[k].at(singular.at.point, singular.radius);
-      if (!value.is_finite()) return false;
-      singular.at.parameters[2 + k] = middle(value);
-      singular.radius = std::max(singular.radius, DoubleInterval::around(0, width(value)).upper);
+      const auto [value, radius] = readers[k].at(singular.at.point, singular.radius);
+      if (!std::isfinite(radius)) return false;
+      singular.at.parameters[2 + k] = value;
+      singular.radius = std::max(singular.radius, radius);
     }
   return true;
 }

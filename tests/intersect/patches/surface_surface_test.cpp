@@ -32,6 +32,28 @@ SurfaceResult solved(const ParametricSurface& first, const ParametricSurface& se
   return intersect_surface_surface({first, second}, options, context);
 }
 
+/// Of both maps at the parameters of the points of a polyline from these points.
+double largest_gap(const ParametricSurface& first, const ParametricSurface& second, const SurfaceComponent& component) {
+  double largest = 0;
+  for (const SurfacePoint& p : component.points)
+    for (const std::size_t k : {0U, 1U}) {
+      const double a = p.parameters[2 * k];
+      const double b = p.parameters[2 * k + 1];
+      // Poles and infinite parameters are not compared.
+      if (!(std::fabs(a) < 1e3 && std::fabs(b) < 1e3)) continue;
+      const auto& coordinates = (k == 0 ? first : second).pieces.front().map.coordinates();
+      std::array<double, 4> value{};
+      for (std::size_t i = 0; i < 4; ++i)
+        for (const auto& term : coordinates[i].terms())
+          value[i] += std::stod(term.coefficient.numerator().to_string()) /
+                      std::stod(term.coefficient.denominator().to_string()) *
+                      std::pow(a, static_cast<double>(term.exponents[0])) *
+                      std::pow(b, static_cast<double>(term.exponents[1]));
+      for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(value[i] / value[3] - p.point[i]));
+    }
+  return largest;
+}
+
 /// Of x^2 + y^2 = 1 and z = slope x + height.
 CurveDistance ellipse(double slope, double height) {
   return [slope, height](const SpacePoint& p) {
@@ -163,4 +185,44 @@ TEST_CASE("Two equations, and three homogeneous parameters without a domain, are
   CHECK_THROWS_AS(intersect_surface_surface({half_cylinder(), projective}, {}, context), InvalidInput);
   CHECK_THROWS_AS(intersect_surface_with_itself({projective}, {}, context), InvalidInput);
   CHECK_THROWS_AS(intersect_surface_surface({bounded({"u", "u", "u"}), half_cylinder()}, {}, context), InvalidInput);
+}
+
+TEST_CASE("Whole surfaces with linear inverses: known curves, drawn to the tolerance, in either order") {
+  const PatchText sphere{"2*v*(1-u^2)", "4*u*v", "(1-v^2)*(u^2+1)", "(u^2+1)*(v^2+1)"};
+  const PatchText stereographic{"2*u", "2*v", "u^2+v^2-1", "u^2+v^2+1"};
+  const PatchText shifted{"u^2/2 + 2*u + v^2/2 + 1/2", "u^2/3 + v^2/3 + 2*v + 1/3", "6*u^2/5 + 6*v^2/5 - 4/5",
+                          "u^2+v^2+1"};
+  const PatchText cylinder{"1-u^2", "2*u", "v*(u^2+1)", "u^2+1"};
+  const PatchText thin{"1", "u", "v*(u^2+1)", "u^2+1"};
+  const PatchText cone{"v*(1-u^2)", "2*u*v", "v*(u^2+1)", "u^2+1"};
+  const PatchText torus{"(1-u^2)*(8*v^2+2)", "2*u*(8*v^2+2)", "6*v*(u^2+1)", "(u^2+1)*(v^2+1)"};
+  struct Case {
+    const char* name;
+    PatchText first;
+    PatchText second;
+    const char* expected;
+  };
+  const std::vector<Case> cases{
+      {"spheres through whose common circle no pole passes", stereographic, shifted, "0 1 0 0 0 certified"},
+      {"Viviani's curve, each point of it twice on the sphere", sphere, thin, "8 0 0 0 4 certified"},
+      {"cylinders of one radius", cylinder, {"v*(u^2+1)", "1-u^2", "2*u", "u^2+1"}, "4 0 0 0 2 certified"},
+      {"Villarceau's circles", torus, {"u", "v", "3*u/4", "1"}, "4 0 0 0 2 certified"},
+      {"an ellipse on a cone, apart from the apex", cone, {"u", "v", "u/2 + 1", "1"}, "0 1 0 0 0 certified"},
+  };
+  for (const Case& c : cases)
+    for (const bool exchanged : {false, true}) {
+      CAPTURE(c.name);
+      CAPTURE(exchanged);
+      const ParametricSurface a = unbounded(exchanged ? c.second : c.first);
+      const ParametricSurface b = unbounded(exchanged ? c.first : c.second);
+      const SurfaceResult result = solved(a, b);
+      CHECK(summary(result) == c.expected);
+      CHECK(result.engine.method == "equation");
+      REQUIRE(result.projection);
+      for (const SurfaceComponent& component : result.components) {
+        CHECK(component.error <= 1e-4);
+        // Vertices are that near to the curve, not to both surfaces.
+        CHECK(largest_gap(a, b, component) <= component.error);
+      }
+    }
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
+#include <eliminant/symbolic/elimination/linear_inversion.hpp>
+
+using namespace eliminant::symbolic;
+
+namespace {
+
+RationalSurface surface(const std::vector<std::string>& texts) {
+  const std::vector<std::string> names{"u", "v"};
+  std::vector<Polynomial> coordinates;
+  for (const std::string& text : texts) coordinates.push_back(parse_polynomial(text, names));
+  return {RationalSurface::Kind::tensor_product, coordinates};
+}
+
+/// Quotients and equation hold for all parameters.
+void check_identities(const RationalSurface& map, const LinearInversion& inversion) {
+  CHECK(inversion.equation.compose(map.coordinates()).is_zero());
+  for (const std::size_t k : {0U, 1U}) {
+    REQUIRE_FALSE(inversion.parameters[k].empty());
+    for (const LinearParameter& q : inversion.parameters[k])
+      CHECK(q.numerator.compose(map.coordinates()) ==
+            Polynomial::variable(2, k) * q.denominator.compose(map.coordinates()));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Linear inversion: planes, a cylinder and quadrics by lines are inverted everywhere") {
+  const std::vector<std::vector<std::string>> maps{{"u", "v", "u + 2*v", "1"},
+                                                   {"1 - u^2", "2*u", "v*(u^2 + 1)", "u^2 + 1"},
+                                                   {"u", "v", "u*v", "1"},
+                                                   {"u + v", "u - v", "1 - u*v", "1 + u*v"},
+                                                   {"u", "v", "u^3 - 3*u*v^2", "1"}};
+  for (const auto& texts : maps) {
+    CAPTURE(texts[2]);
+    const RationalSurface map = surface(texts);
+    const auto inversion = linear_inversion(map);
+    REQUIRE(inversion);
+    check_identities(map, *inversion);
+    CHECK(inversion->is_inverse_everywhere());
+  }
+}
+
+TEST_CASE("Linear inversion: the pole of a sphere, the apex of a cone and a double line have no witness") {
+  struct Case {
+    std::vector<std::string> map;
+    std::array<long, 4> point;
+    std::array<long, 4> other;
+  };
+  const std::vector<Case> cases{
+      {{"2*u", "2*v", "u^2 + v^2 - 1", "u^2 + v^2 + 1"}, {0, 0, 1, 1}, {0, 0, -1, 1}},
+      {{"v*(1 - u^2)", "2*u*v", "v*(u^2 + 1)", "u^2 + 1"}, {0, 0, 0, 1}, {1, 0, 1, 1}},
+      {{"u", "u*v", "v^2", "1"}, {0, 0, 4, 1}, {1, 2, 4, 1}},
+  };
+  for (const auto& [texts, point, other] : cases) {
+    CAPTURE(texts[2]);
+    const RationalSurface map = surface(texts);
+    const auto inversion = linear_inversion(map);
+    REQUIRE(inversion);
+    check_identities(map, *inversion);
+    const auto has_witness = [&](const std::array<long, 4>& at) {
+      std::vector<Polynomial> values;
+      for (const long x : at) values.push_back(Polynomial::constant(1, x));
+      bool found = false;
+      for (const Polynomial& witness : inversion->witnesses) found = found || !witness.compose(values).is_zero();
+      return found;
+    };
+    CHECK_FALSE(has_witness(point));
+    CHECK(has_witness(other));
+  }
+}
+
+TEST_CASE("Linear inversion: maps that cover their image twice, and parameters of higher degree, have none") {
+  CHECK_FALSE(linear_inversion(surface({"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(u^2 + 1)", "(u^2 + 1)*(v^2 + 1)"})));
+  CHECK_FALSE(linear_inversion(surface({"u^2", "v", "u^2 + v", "1"})));
+  CHECK_FALSE(linear_inversion(surface({"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"})));
+}
