@@ -61,16 +61,19 @@ std::vector<ProjectiveChart> charts_to_intersect(const ParametricSurface& surfac
   return all;
 }
 
-/// Every part of the first with every part of the second.
+enum class Wanted { everything, proof };
+
+/// Every part of the first with every part of the second; where a proof is wanted, only until one pair of parts has
+/// none.
 SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricSurface& second, const Options& options,
-                               const Context& context) {
+                               const Context& context, Wanted wanted = Wanted::everything) {
   SurfaceResult result;
   result.status = Status::certified;
   const std::vector<ProjectiveChart> charts = charts_to_intersect(first, 0, result);
   const std::vector<ProjectiveChart> others = charts_to_intersect(second, 1, result);
   for (const ProjectiveChart& a : charts)
     for (const ProjectiveChart& b : others) {
-      if (result.limit) break;
+      if (result.limit || (wanted == Wanted::proof && result.status != Status::certified)) break;
       SurfaceResult part = intersect_patches(a.piece, b.piece, options, context);
       to_surface_parameters(part, a, b);
       append(result, std::move(part));
@@ -96,7 +99,8 @@ SurfaceResult intersect_whole(const ParametricSurface& first, const ParametricSu
   }
   // Charts of one surface overlap each other everywhere.
   if (options.engine != Engine::exact && !are_one_surface(a, b, options, context)) {
-    SurfaceResult by_charts = intersect_charts(first, second, options, context);
+    const Wanted wanted = options.engine == Engine::box ? Wanted::everything : Wanted::proof;
+    SurfaceResult by_charts = intersect_charts(first, second, options, context, wanted);
     if (by_charts.status == Status::certified || options.engine == Engine::box) {
       by_charts.projection =
           SurfaceProjection{{"u", "t"}, symbolic::intersection_eliminant(a, b, options.seed, context)};
