@@ -4,7 +4,7 @@
 # Installs what is missing, the other solvers included, builds a comparison with them and prints its tables: times of
 # each solver on the same input and the ratios, from one run with one thread. plane_curves (the default) compares with
 # CGAL and PARI, bezier and patches with OCCT and SISL, cylinders with PCL. Options are those of the program:
-#   --markdown        tables for docs/benchmarks.md
+#   --markdown        tables for docs/benchmarks.md (cylinders: always)
 #   --only TEXT       only the systems or families whose name contains TEXT
 #   --limit SECONDS   wall-clock time that one run may take (plane_curves 60, patches 10)
 #   --all             bezier, patches: every family that the tests generate
