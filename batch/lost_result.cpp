@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include <charconv>
+#include <system_error>
 
 #include <eliminant/io/input/json_text.hpp>
 #include <eliminant/io/input/stated_kind.hpp>
@@ -25,8 +26,8 @@ std::optional<io::ProblemId> stated_id(const std::string& text) noexcept {
     if (id->kind == io::JsonValue::Kind::text) return id->text;
     long number = 0;
     const char* const end = id->text.data() + id->text.size();
-    if (id->kind != io::JsonValue::Kind::number || std::from_chars(id->text.data(), end, number).ptr != end)
-      return std::nullopt;
+    const std::from_chars_result read = std::from_chars(id->text.data(), end, number);
+    if (id->kind != io::JsonValue::Kind::number || read.ptr != end || read.ec != std::errc()) return std::nullopt;
     return number;
   } catch (...) {
     return std::nullopt;

@@ -17,7 +17,8 @@ using numeric::CylinderSegment;
 using numeric::Point;
 
 constexpr double least_radius_in_distances = 5;
-constexpr double largest_radius_in_diagonals = 0.25;
+// The shortest pipe that is looked for, one and a half radii long, alone in its cloud: 0.312.
+constexpr double largest_radius_in_diagonals = 0.32;
 constexpr double fewest_inliers_share = 0.002;
 constexpr std::size_t fewest_inliers = 50;
 constexpr std::size_t most_points = std::size_t{1} << 31U;

@@ -21,7 +21,7 @@ struct CylinderExtractionProblem {
   std::vector<std::array<double, 3>> points;
   /// Largest distance of a point from the cylinder it lies on: about three standard deviations of the noise.
   double distance = 0;
-  /// Radii; unset: five times the distance, and a quarter of the diagonal of the cloud's box without points far away.
+  /// Radii; unset: five times the distance, and 0.32 times the diagonal of the cloud's box without points far away.
   std::optional<double> min_radius;
   std::optional<double> max_radius;
   /// Fewest points of a cylinder; unset: 0.2 per cent of all, and 50 at least.

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <eliminant/io/input/curve_input.hpp>
@@ -69,8 +70,11 @@ class Reader {
     if (value->kind == Kind::text) return value->text;
     long number = 0;
     const char* const end = value->text.data() + value->text.size();
-    if (value->kind != Kind::number || std::from_chars(value->text.data(), end, number).ptr != end)
+    const std::from_chars_result read = std::from_chars(value->text.data(), end, number);
+    if (value->kind != Kind::number || read.ptr != end)
       refuse(*value, "\"id\" is " + describe(*value), "a text or a whole number");
+    if (read.ec != std::errc())
+      refuse(*value, "\"id\" is a number of more than 64 bits", "a text, or a whole number from -2^63 to 2^63 - 1");
     return number;
   }
 

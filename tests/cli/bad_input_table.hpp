@@ -132,6 +132,8 @@ inline std::vector<Row> rows() {
        "\"q\" is true", "a polynomial"},
       {"unknown field", "json", with_field("\"boks\": 1"), invalid, 1, 49, "unknown field \"boks\"", "variables, box"},
       {"id as object", "json", with_field("\"id\": {}"), invalid, 1, 55, "\"id\" is an object", "a text or a whole"},
+      {"id beyond 64 bits", "json", with_field("\"id\": 9223372036854775808"), invalid, 1, 55, "more than 64 bits",
+       "a whole number from -2^63"},
       {"id as fraction", "json", with_field("\"id\": 1.5"), invalid, 1, 55, "\"id\" is a number", "a text or a whole"},
       // The box.
       {"box as number", "json", with_field("\"box\": 1"), invalid, 1, 56, "\"box\" is a number", "[[x lower"},
