@@ -127,7 +127,7 @@ void add_contacts(Collection& all) {
     return Drawing{random, resolution, rational, plane};
   };
   std::size_t turn = 0;
-  const auto next = [&]() -> const Quadratic& { return quadratics()[turn++ % quadratics().size()]; };
+  const auto next = [&]() -> const Quadratic& { return quadratics[turn++ % quadratics.size()]; };
   const std::string order_2 = "contact of order 2";
   const std::string order_3 = "contact of order 3";
   all.add(order_2, 17,
@@ -176,7 +176,7 @@ void add_plane(Collection& all) {
   pairs("plane degree 8 x 8", 30, 8, false);
 
   std::size_t turn = 0;
-  const auto next = [&]() -> const Quadratic& { return quadratics()[turn++ % quadratics().size()]; };
+  const auto next = [&]() -> const Quadratic& { return quadratics[turn++ % quadratics.size()]; };
   const auto drawing = [](Random& random) { return Drawing{random, 64, false, true}; };
   for (const unsigned long order : {2UL, 3UL}) {
     const std::string of_order = "contact of order " + std::to_string(order);
