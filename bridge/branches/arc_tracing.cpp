@@ -87,8 +87,9 @@ class ArcTracing {
   }
 
  private:
-  /// In longer steps bounds of the bend are far above the truth, so that more points are taken than needed.
   static constexpr double filled_contraction = 0.3;
+  /// As many points more than needed take about as long as another step.
+  static constexpr double most_spare = 4;
 
   bool bound_derivatives(const Vector4d& lower, const Vector4d& upper) {
     const auto a = patches_.first().bounds_on(lower[0], upper[0], lower[1], upper[1]);
@@ -142,21 +143,26 @@ class ArcTracing {
   /// The end of a step, and points between where one chord is too far from the arc.
   bool add_step(TracedArc& arc, const ArcTube& tube, const Difference& next) {
     double deviation = tube.deviation();
+    spare_ = 0;
     if (!(deviation < tolerance_)) {
       if (!(tube.contraction() < filled_contraction)) return false;
       const std::optional<ArcTube::Filling> filling = tube.fill(patches_, tolerance_);
       if (!filling) return false;
       for (const Difference& point : filling->points) add(arc, point);
       deviation = filling->deviation;
+      spare_ = filling->spare;
     }
     arc.error = std::max(arc.error, deviation);
     add(arc, next);
     return true;
   }
 
-  /// By which factor to go on: the deviation is quadratic in the step, the contraction about linear.
+  /// By which factor to go on: the deviation is quadratic in the step, the contraction about linear; so is the change
+  /// of the bend, and the number of points that it makes quadratic.
   double longer(const ArcTube& tube) const {
-    return std::max(0.9 * std::sqrt(tolerance_ / tube.deviation()), 0.7 * filled_contraction / tube.contraction());
+    const double by_contraction = 0.7 * filled_contraction / tube.contraction();
+    const double by_points = spare_ > 0 ? std::sqrt(most_spare / spare_) : infinity;
+    return std::max(0.9 * std::sqrt(tolerance_ / tube.deviation()), std::min(by_contraction, by_points));
   }
 
   double shorter(const ArcTube& tube) const {
@@ -175,6 +181,8 @@ class ArcTracing {
   double tolerance_;
   /// Whether to set out away from the goal.
   bool turned_ = false;
+  /// Of the last step.
+  double spare_ = 0;
   Vector4d cell_lower_;
   Vector4d cell_upper_;
   DifferenceBounds bounds_;

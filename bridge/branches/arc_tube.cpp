@@ -193,7 +193,7 @@ Vector3d ArcTube::change_of_bend(const Vector4d& along, const Vector4d& error, s
 
 /// Bounds the part of the second derivative of the arc in space, by the share of the way, that is across any of its
 /// chords; nullopt where a chord could turn so far that the feet of points might be beyond its ends.
-std::optional<double> ArcTube::bend_across() const {
+std::optional<ArcTube::Bend> ArcTube::bend_across() const {
   const Eigen::Matrix<double, 4, 3> solve = inverse_.leftCols<3>();
   // y' is this, and changes by this.
   const Vector4d slope = inverse_.col(3) * (scale_ * step_.norm());
@@ -232,7 +232,7 @@ std::optional<double> ArcTube::bend_across() const {
   const double onward = curving.dot(direction) / speed;
   const double across = (curving - direction * (onward / speed)).norm();
   constexpr double slack = 1.001;
-  return slack * (across + 1.1 * turn * std::fabs(onward) + curving_change.norm());
+  return Bend{across, slack * (across + 1.1 * turn * std::fabs(onward) + curving_change.norm())};
 }
 
 std::optional<ArcTube::Placed> ArcTube::place(PatchDifference& patches, const Vector4d& guess) const {
@@ -267,13 +267,14 @@ std::optional<ArcTube::Placed> ArcTube::place(PatchDifference& patches, const Ve
 
 std::optional<ArcTube::Filling> ArcTube::fill(PatchDifference& patches, double tolerance) const {
   if (!proven()) return std::nullopt;
-  const std::optional<double> across = bend_across();
-  if (!across) return std::nullopt;
+  const std::optional<Bend> bend = bend_across();
+  if (!bend) return std::nullopt;
   // Shares are met within a hundredth of their differences; a tenth is left for errors of points.
-  const double chords = std::ceil(1.01 * std::sqrt(0.125 * *across / (0.9 * tolerance)));
+  const auto chords = [&](double across) { return 1.01 * std::sqrt(0.125 * across / (0.9 * tolerance)); };
+  const double wanted = std::max(std::ceil(chords(bend->at_most)), 1.0);
   constexpr double most_chords = 1 << 16;
-  if (!(chords < most_chords)) return std::nullopt;
-  const auto count = static_cast<std::size_t>(std::max(chords, 1.0));
+  if (!(wanted < most_chords)) return std::nullopt;
+  const auto count = static_cast<std::size_t>(wanted);
 
   const auto end = [&](const Difference& at, const Vector4d& value) {
     Matrix4d system = at.jacobian * unit_.asDiagonal();
@@ -285,6 +286,7 @@ std::optional<ArcTube::Filling> ArcTube::fill(PatchDifference& patches, double t
   };
   const QuinticArc arc(end(here_, Vector4d::Zero()), end(next_, step_));
   Filling filling;
+  filling.spare = wanted - chords(bend->at_begin);
   filling.points.reserve(count);
   double error = error_factor_ * std::max(here_.at_most(), next_.at_most());
   for (std::size_t i = 1; i < count; ++i) {
@@ -294,7 +296,7 @@ std::optional<ArcTube::Filling> ArcTube::fill(PatchDifference& patches, double t
     error = std::max(error, placed->error);
     filling.points.push_back(placed->at);
   }
-  filling.deviation = 0.125 * *across * std::pow(1.01 / static_cast<double>(count), 2) + error;
+  filling.deviation = 0.125 * bend->at_most * std::pow(1.01 / static_cast<double>(count), 2) + error;
   if (!(filling.deviation < tolerance)) return std::nullopt;
   return filling;
 }

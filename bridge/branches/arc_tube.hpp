@@ -44,6 +44,8 @@ class ArcTube {
   struct Filling {
     std::vector<Difference> points;
     double deviation = 0;
+    /// How many of the chords are there only because the bend may change within the tube.
+    double spare = 0;
   };
   /// Nullopt where that cannot be proven.
   std::optional<Filling> fill(PatchDifference& patches, double tolerance) const;
@@ -59,7 +61,11 @@ class ArcTube {
   JacobianChange change_of_jacobian() const;
   void bound_deviation();
   Eigen::Vector3d change_of_bend(const Eigen::Vector4d& along, const Eigen::Vector4d& error, std::size_t patch) const;
-  std::optional<double> bend_across() const;
+  struct Bend {
+    double at_begin;
+    double at_most;
+  };
+  std::optional<Bend> bend_across() const;
   /// A point of the arc, by Newton steps in its plane, and how far it may be from the exact one.
   struct Placed {
     Difference at;
