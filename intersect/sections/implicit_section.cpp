@@ -37,6 +37,8 @@ bool is_same(double a, double b) {
 bool is_same(const SurfacePoint& a, const SurfacePoint& b) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::fabs(a.point[k] - b.point[k]) <= same_within * std::max(1.0, std::fabs(a.point[k])))) return false;
+  // Curves of parameters that are mapped to one point: the lines at infinity of a sphere from its pole.
+  if (is_unknown(a) && is_unknown(b)) return true;
   // One point in space may have several pairs of parameters.
   return is_same(a.parameters[0], b.parameters[0]) && is_same(a.parameters[1], b.parameters[1]);
 }
@@ -72,10 +74,13 @@ void merge_singular_points(SurfaceResult& result) {
     const auto same =
         std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return is_same(m.at, point.at); });
     index.push_back(static_cast<std::size_t>(same - merged.begin()));
-    if (same == merged.end())
+    if (same == merged.end()) {
       merged.push_back(std::move(point));
-    else
+    } else {
       same->certified = same->certified && point.certified;
+      for (std::size_t k = 0; k < 2; ++k)
+        if (std::isnan(point.at.parameters[k])) same->at.parameters[k] = point.at.parameters[k];
+    }
   }
   result.singular_points = std::move(merged);
   for (SurfaceComponent& component : result.components)

@@ -328,6 +328,16 @@ TEST_CASE("surface and equation: points to which a curve of parameters is mapped
   REQUIRE(pole.counts.points == 1);
   CHECK(pole.components.front().points.front().point == Point{0, 0, -1});
   CHECK(std::isnan(pole.components.front().points.front().parameters[0]));
+  // The pole from which the sphere is projected is two lines of parameters, which meet.
+  const std::array<std::string, 4> projected{"2*u", "2*v", "u^2 + v^2 - 1", "1 + u^2 + v^2"};
+  const SurfaceResult two_lines = solve(whole(projected), "z - 1");
+  CHECK(two_lines.status == Status::certified);
+  CHECK(two_lines.components.size() == 1);
+  REQUIRE(two_lines.counts.points == 1);
+  CHECK(two_lines.singular_points.size() == 1);
+  CHECK(two_lines.components.front().points.front().point == Point{0, 0, 1});
+  CHECK(std::isnan(two_lines.components.front().points.front().parameters[0]));
+  CHECK(std::isnan(two_lines.components.front().points.front().parameters[1]));
   // On the border of a patch it is no point of its own where a curve ends there.
   const SurfaceResult meridian = solve(patch(sphere, {-1, 1}, {0, 1}), "4*y - 3*x");
   CHECK(meridian.status == Status::certified);
