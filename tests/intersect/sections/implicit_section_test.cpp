@@ -329,7 +329,7 @@ TEST_CASE("surface and equation: points to which a curve of parameters is mapped
   CHECK(pole.components.front().points.front().point == Point{0, 0, -1});
   CHECK(std::isnan(pole.components.front().points.front().parameters[0]));
   // The pole from which the sphere is projected is two lines of parameters, which meet.
-  const std::array<std::string, 4> projected{"2*u", "2*v", "u^2 + v^2 - 1", "1 + u^2 + v^2"};
+  const std::vector<std::string> projected{"2*u", "2*v", "u^2 + v^2 - 1", "1 + u^2 + v^2"};
   const SurfaceResult two_lines = solve(whole(projected), "z - 1");
   CHECK(two_lines.status == Status::certified);
   CHECK(two_lines.components.size() == 1);
