@@ -26,8 +26,10 @@ class SectionFrame {
   /// False when a number is out of the range in which doubles are safe; nothing below may be used then.
   bool round();
 
-  /// With positive weight where that of the patch has this sign.
-  const bridge::ControlNet& net_for(int weight_sign) const { return nets_[weight_sign < 0 ? 1 : 0]; }
+  /// With positive weight where that of the patch has this sign; a weight of one sign has been made positive.
+  const bridge::ControlNet& net_for(int weight_sign) const {
+    return nets_[weight_sign < 0 && !weight_has_one_sign_ ? 1 : 0];
+  }
   bridge::PatchJets::Value jets_at(const std::array<double, 2>& local, int weight_sign) const {
     return bridge::PatchJets(net_for(weight_sign)).at(local[0], local[1]);
   }

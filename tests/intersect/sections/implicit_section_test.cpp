@@ -155,6 +155,23 @@ TEST_CASE("surface and equation: a sphere patch in pieces gives the same curves 
   }
 }
 
+TEST_CASE("surface and equation: weights may be negative everywhere, or on some charts") {
+  // The plane z = 0, with u, or v, or both changed by a projectivity.
+  for (const std::vector<std::string>& texts : {std::vector<std::string>{"u", "v*(u - 2)", "0", "u - 2"},
+                                                {"-u", "-v", "0", "-1"},
+                                                {"u*(3*v - 1)", "v*(u - 2)", "0", "(u - 2)*(3*v - 1)"}}) {
+    CAPTURE(texts[3]);
+    const SurfaceResult line = solve(whole(texts), "x");
+    CHECK(line.status == Status::certified);
+    CHECK(line.components.size() == 1);
+    CHECK(line.counts.curves == 1);
+    const SurfaceResult segment = solve(patch(texts, {-1, 1}, {2, 5}), "x");
+    CHECK(segment.status == Status::certified);
+    CHECK(segment.components.size() == 1);
+    CHECK(segment.counts.curves == 1);
+  }
+}
+
 TEST_CASE("surface and equation: Villarceau's circles cross in two points") {
   const SurfaceResult result = solve(whole(torus), "3*x - 4*z", 1e-7);
   CHECK(result.status == Status::certified);
