@@ -97,7 +97,19 @@ class PatchSection {
     scale_ = frame_.weight_has_one_sign() ? size_of(frame_.net()) : size_of_curve();
     add_points();
     for (const BranchChain& chain : graph_->chains()) add_chain(chain);
+    if (!graph_->complete()) doubt_everything();
     summarise(result_);
+  }
+
+  /// Without the topology even the kind of a component is not known: what looks like a point may be a small loop.
+  void doubt_everything() {
+    const std::string reason = "the topology of the curve in the parameters is not proven";
+    const auto doubt = [&](auto& part) {
+      part.certified = false;
+      if (part.reason.empty()) part.reason = reason;
+    };
+    std::for_each(result_.components.begin(), result_.components.end(), doubt);
+    std::for_each(result_.singular_points.begin(), result_.singular_points.end(), doubt);
   }
 
   /// Half of the arcs have their middles within that distance.

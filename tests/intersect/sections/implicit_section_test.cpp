@@ -172,6 +172,19 @@ TEST_CASE("surface and equation: weights may be negative everywhere, or on some 
   }
 }
 
+TEST_CASE("surface and equation: a loop that doubles cannot tell from a point is not certified as one") {
+  for (const char* const bend : {"1/10^28", "1/10^40"}) {
+    CAPTURE(bend);
+    const SurfaceResult result =
+        solve(patch({"u", "v", "(2*u - 1)^2 + (3*v - 1)^2 - " + std::string(bend), "1"}, {0, 1}, {0, 1}), "z");
+    CHECK(result.components.size() == 1);
+    for (const SurfaceComponent& component : result.components) {
+      CHECK((component.kind == SurfaceComponentKind::loop || !component.certified));
+      CHECK(component.certified == component.reason.empty());
+    }
+  }
+}
+
 TEST_CASE("surface and equation: Villarceau's circles cross in two points") {
   const SurfaceResult result = solve(whole(torus), "3*x - 4*z", 1e-7);
   CHECK(result.status == Status::certified);
