@@ -4,6 +4,7 @@
 //   scripts/compare.sh patches [--markdown] [--only TEXT] [--all] [--limit SECONDS] [--cases N]
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -105,8 +106,17 @@ std::vector<SpacePolyline> components_of(const PatchCase& patches) {
   std::vector<SpacePolyline> result;
   for (const TrueComponent& component : eliminant::test::true_intersection(patches).components) {
     SpacePolyline& polyline = result.emplace_back();
-    for (const auto& [u, v] : component.parameters)
-      polyline.push_back(eliminant::test::patch_point(patches.first, u, v));
+    const auto& places = component.parameters;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      // A straight line of parameters has two places, and is a curve in space.
+      constexpr std::size_t parts = 16;
+      for (std::size_t k = 0; k < parts; ++k) {
+        const double share = static_cast<double>(k) / parts;
+        polyline.push_back(eliminant::test::patch_point(patches.first, std::lerp(places[i][0], places[i + 1][0], share),
+                                                        std::lerp(places[i][1], places[i + 1][1], share)));
+      }
+    }
+    polyline.push_back(eliminant::test::patch_point(patches.first, places.back()[0], places.back()[1]));
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ using Table = std::vector<std::vector<std::string>>;
 
 inline std::string three_digits(double value) {
   constexpr double many = 100;
+  if (std::isnan(value)) return "-";
   return value >= many ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
 }
 
