@@ -62,7 +62,6 @@ class Subdivision {
       }
       // Around singular points of a curve of contact there is no end.
       if (curves_ != nullptr && curves_->is_exhausted()) {
-        graph_.open.push_back(box_of(stack_.back()));
         graph_.complete = false;
         break;
       }
@@ -70,6 +69,8 @@ class Subdivision {
       if (graph_.cells % checked_every == 0) context_.checkpoint("subdividing");
       step();
     }
+    // What was not looked at.
+    for (const Cell& cell : stack_) graph_.open.push_back(box_of(cell));
     return std::move(graph_);
   }
 

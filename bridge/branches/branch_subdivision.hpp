@@ -58,8 +58,8 @@ struct BranchGraph {
   std::vector<CellArc> arcs;
   std::vector<CellContact> contacts;
   std::vector<CellCrossing> crossings;
-  /// Parts of the domain of which nothing is proven: contacts, singular points, arcs that touch the border. Not all of
-  /// them, when `complete` is false.
+  /// Parts of the domain of which nothing is proven: contacts, singular points, arcs that touch the border; and what
+  /// was not looked at, when `complete` is false.
   std::vector<CellBox> open;
   bool complete = true;
   /// Pairs of parts that were looked at.

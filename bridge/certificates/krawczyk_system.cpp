@@ -52,6 +52,8 @@ std::optional<std::vector<ComplexBall>> enclose_system_zero(const System& system
     mag_mul_2exp_si(size.get(), size.get(), 16 - precision_bits);
     mag_max(radius.get(), radius.get(), size.get());
   }
+  // Where all coordinates of an exact zero are 0.
+  if (mag_is_zero(radius.get()) != 0) mag_set_ui_2exp_si(radius.get(), 1, -precision_bits);
   // The zero is about one step away; a wider box proves more, as long as the derivatives vary little.
   for (const long widening : {12L, 4L, 1L}) {
     Magnitude reach;

@@ -39,10 +39,16 @@ class Following {
     constexpr int most_steps = 12;
     for (int step = 0; step < most_steps; ++step) {
       ContactConditions here = contact_conditions(first_, second_, x);
+      const double largest = here.jacobian.topRows<2>().lpNorm<Eigen::Infinity>();
       for (long row = 0; row < 4; ++row) {
         const double size = here.jacobian.row(row).lpNorm<Eigen::Infinity>();
-        // Along a parameter line a condition may be void.
-        if (!(size > 0)) continue;
+        // Along a line in both surfaces the tangent planes say nothing: what there is of that condition is rounding.
+        constexpr double void_condition = 1e-11;
+        if (!(size > (row < 2 ? void_condition * largest : 0))) {
+          here.jacobian.row(row).setZero();
+          here.value[row] = 0;
+          continue;
+        }
         here.jacobian.row(row) /= size;
         here.value[row] /= size;
       }

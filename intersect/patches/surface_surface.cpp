@@ -61,6 +61,17 @@ std::vector<ProjectiveChart> charts_to_intersect(const ParametricSurface& surfac
   return all;
 }
 
+/// What is found of a contact can depend on which patch is the first one, in whose parameters it is looked for.
+SurfaceResult intersect_in_either_order(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
+                                        const Options& options, const Context& context) {
+  SurfaceResult result = intersect_patches(first, second, options, context);
+  if (result.status != Status::numeric || result.limit || !options.certify) return result;
+  SurfaceResult other = intersect_patches(second, first, options, context);
+  if (other.status == Status::numeric) return result;
+  exchange_surfaces(other);
+  return other;
+}
+
 enum class Wanted { everything, proof };
 
 /// Every part of the first with every part of the second; where a proof is wanted, only until one pair of parts has
@@ -74,7 +85,7 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
   for (const ProjectiveChart& a : charts)
     for (const ProjectiveChart& b : others) {
       if (result.limit || (wanted == Wanted::proof && result.status != Status::certified)) break;
-      SurfaceResult part = intersect_patches(a.piece, b.piece, options, context);
+      SurfaceResult part = intersect_in_either_order(a.piece, b.piece, options, context);
       to_surface_parameters(part, a, b);
       append(result, std::move(part));
     }

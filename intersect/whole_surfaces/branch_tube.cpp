@@ -20,6 +20,29 @@ std::array<std::size_t, 3> others(std::size_t axis) {
 
 ParameterBox box_of(const BranchPoint& point) { return {point.at[0], point.at[1], point.at[2], point.at[3]}; }
 
+template <class Number>
+SurfacePair::EquationsIn<Number> equations_of(const JetOf<Number>& phi, const JetOf<Number>& psi, std::size_t k) {
+  SurfacePair::EquationsIn<Number> result;
+  for (std::size_t i = 0, row = 0; i < 4; ++i) {
+    if (i == k) continue;
+    result.value[row] = phi.value[i] * psi.value[k] - phi.value[k] * psi.value[i];
+    for (std::size_t j = 0; j < 2; ++j) {
+      result.jacobian[row][j] = phi.derivative[j][i] * psi.value[k] - phi.derivative[j][k] * psi.value[i];
+      result.jacobian[row][2 + j] = phi.value[i] * psi.derivative[j][k] - phi.value[k] * psi.derivative[j][i];
+    }
+    ++row;
+  }
+  return result;
+}
+
+Matrix34 matrix_of(const SurfacePair::EquationsIn<double>& equations) {
+  Matrix34 result;
+  for (long i = 0; i < 3; ++i)
+    for (long j = 0; j < 4; ++j)
+      result(i, j) = equations.jacobian[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  return result;
+}
+
 Matrix34 midpoint_jacobian(const SurfacePair::Equations& equations) {
   Matrix34 result;
   for (long i = 0; i < 3; ++i)
@@ -47,26 +70,22 @@ ParameterBox in_charts(const ParameterBox& box, const Charts& from, const Charts
 SurfacePair::Equations SurfacePair::equations(const Charts& inverted, const ParameterBox& box, std::size_t k) const {
   const SurfaceJet phi = first_.jet({inverted[0], inverted[1]}, {box[0], box[1]});
   const SurfaceJet psi = second_.jet({inverted[2], inverted[3]}, {box[2], box[3]});
-  Equations result;
+  Equations result = equations_of(phi, psi, k);
   result.valid = phi.value[k].excludes_zero() && psi.value[k].excludes_zero();
-  for (std::size_t i = 0, row = 0; i < 4; ++i) {
-    if (i == k) continue;
-    result.value[row] = phi.value[i] * psi.value[k] - phi.value[k] * psi.value[i];
-    for (std::size_t j = 0; j < 2; ++j) {
-      result.jacobian[row][j] = phi.derivative[j][i] * psi.value[k] - phi.derivative[j][k] * psi.value[i];
-      result.jacobian[row][2 + j] = phi.value[i] * psi.derivative[j][k] - phi.value[k] * psi.derivative[j][i];
-    }
-    ++row;
-  }
   return result;
 }
 
+SurfacePair::EquationsIn<double> SurfacePair::approximate_equations(const BranchPoint& point, std::size_t k) const {
+  return equations_of(first_.approximate_jet({point.inverted[0], point.inverted[1]}, {point.at[0], point.at[1]}),
+                      second_.approximate_jet({point.inverted[2], point.inverted[3]}, {point.at[2], point.at[3]}), k);
+}
+
 std::size_t SurfacePair::pivot(const BranchPoint& point) const {
-  const auto phi = first_.value({point.inverted[0], point.inverted[1]}, {point.at[0], point.at[1]});
-  const auto psi = second_.value({point.inverted[2], point.inverted[3]}, {point.at[2], point.at[3]});
+  const auto phi = first_.approximate_jet({point.inverted[0], point.inverted[1]}, {point.at[0], point.at[1]}).value;
+  const auto psi = second_.approximate_jet({point.inverted[2], point.inverted[3]}, {point.at[2], point.at[3]}).value;
   std::size_t best = 0;
   for (std::size_t k = 1; k < 4; ++k)
-    if (std::fabs(middle(phi[k]) * middle(psi[k])) > std::fabs(middle(phi[best]) * middle(psi[best]))) best = k;
+    if (std::fabs(phi[k] * psi[k]) > std::fabs(phi[best] * psi[best])) best = k;
   return best;
 }
 
@@ -148,7 +167,8 @@ std::optional<BranchTube> enclose_branch(const SurfacePair& pair, const BranchPo
         along[i] = along[i] + equations.jacobian[i][j] * DoubleInterval(tube.slope[j]);
     return precondition(along);
   };
-  const auto on_line = pair.equations(centre.inverted, hull_of({}), k);
+  const bool is_point = range.lower == 0 && range.upper == 0;
+  const auto on_line = is_point ? at_centre : pair.equations(centre.inverted, hull_of({}), k);
   const auto line_drift = drift_on(on_line);
   std::array<double, 3> offset{};
   double largest = floor;
@@ -190,9 +210,9 @@ std::optional<BranchTube> enclose_branch(const SurfacePair& pair, const BranchPo
 bool approximate_branch_point(const SurfacePair& pair, BranchPoint& point, std::size_t axis) {
   const auto unknowns = others(axis);
   for (int step = 0; step < 12; ++step) {
-    const auto equations = pair.equations(point.inverted, box_of(point), pair.pivot(point));
-    const Eigen::Vector3d value(middle(equations.value[0]), middle(equations.value[1]), middle(equations.value[2]));
-    const Eigen::Vector3d change = without_column(midpoint_jacobian(equations), axis).inverse() * value;
+    const auto equations = pair.approximate_equations(point, pair.pivot(point));
+    const Eigen::Vector3d value(equations.value[0], equations.value[1], equations.value[2]);
+    const Eigen::Vector3d change = without_column(matrix_of(equations), axis).inverse() * value;
     double scale = 1;
     for (const double x : point.at) scale = std::max(scale, std::fabs(x));
     if (!change.allFinite() || change.norm() > 4 * scale) return false;
@@ -204,8 +224,7 @@ bool approximate_branch_point(const SurfacePair& pair, BranchPoint& point, std::
 }
 
 std::optional<std::array<double, 4>> branch_direction(const SurfacePair& pair, const BranchPoint& point) {
-  const auto equations = pair.equations(point.inverted, box_of(point), pair.pivot(point));
-  const Matrix34 jacobian = midpoint_jacobian(equations);
+  const Matrix34 jacobian = matrix_of(pair.approximate_equations(point, pair.pivot(point)));
   if (!jacobian.allFinite()) return std::nullopt;
   // The kernel of a 3 x 4 matrix: its maximal minors with alternating signs.
   std::array<double, 4> direction{};

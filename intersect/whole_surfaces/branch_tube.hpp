@@ -41,12 +41,16 @@ class SurfacePair {
 
   /// The values Phi_i Psi_k - Phi_k Psi_i, i != k, and their derivatives; where Phi_k and Psi_k are not 0 they vanish
   /// exactly at common points.
-  struct Equations {
-    std::array<DoubleInterval, 3> value;
-    std::array<std::array<DoubleInterval, 4>, 3> jacobian;
+  template <class Number>
+  struct EquationsIn {
+    std::array<Number, 3> value{};
+    std::array<std::array<Number, 4>, 3> jacobian{};
     bool valid = false;  ///< Phi_k and Psi_k are surely not 0
   };
+  using Equations = EquationsIn<DoubleInterval>;
   Equations equations(const Charts& inverted, const ParameterBox& box, std::size_t k) const;
+  /// Approximately, and much faster.
+  EquationsIn<double> approximate_equations(const BranchPoint& point, std::size_t k) const;
   /// The coordinate k that is large in both points.
   std::size_t pivot(const BranchPoint& point) const;
   /// Whether no parameters in the box have a common point.

@@ -13,21 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-DoubleInterval interval_of(const bridge::RealBall& ball) {
-  arf_t lower;
-  arf_t upper;
-  arf_init(lower);
-  arf_init(upper);
-  arb_get_interval_arf(lower, upper, ball.get(), 80);
-  const DoubleInterval result{arf_get_d(lower, ARF_RND_FLOOR), arf_get_d(upper, ARF_RND_CEIL)};
-  arf_clear(lower);
-  arf_clear(upper);
-  return result;
-}
-
-DoubleInterval interval_of(const Coordinate& coordinate) {
-  return interval_of(bridge::RealBall(coordinate.ball.real()));
-}
+DoubleInterval interval_of(const Coordinate& coordinate) { return enclose(bridge::RealBall(coordinate.ball.real())); }
 
 symbolic::Rational exact(double value) {
   arf_t number;
@@ -123,7 +109,7 @@ std::vector<DoubleInterval> ProjectedArcs::roots_at(const symbolic::HiddenVariab
   if (symbolic::on_vertical_line(polynomial, value).degree() < 1) return {};
   bridge::RationalFibre fibre(polynomial, value, context);
   std::vector<DoubleInterval> roots;
-  for (std::size_t k = 0; k < fibre.count(); ++k) roots.push_back(interval_of(fibre.refined(k, 60)));
+  for (std::size_t k = 0; k < fibre.count(); ++k) roots.push_back(enclose(fibre.refined(k, 60)));
   return roots;
 }
 
@@ -187,7 +173,7 @@ std::optional<std::array<DoubleInterval, 2>> ProjectedArcs::box_between(std::siz
     bool free = true;
     for (const double side : {y.lower - room, y.upper + room}) {
       bridge::RationalFibre fibre(hidden_[1], exact(side), context);
-      for (std::size_t k = 0; k < fibre.count(); ++k) free = free && !overlap(interval_of(fibre.refined(k, 60)), x);
+      for (std::size_t k = 0; k < fibre.count(); ++k) free = free && !overlap(enclose(fibre.refined(k, 60)), x);
     }
     if (free) return std::array<DoubleInterval, 2>{x, DoubleInterval(y.lower - room, y.upper + room)};
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <eliminant/intersect/whole_surfaces/arc_filling.hpp>
 #include <eliminant/symbolic/elimination/bivariate_factors.hpp>
 
 namespace eliminant::intersect {
@@ -142,24 +143,6 @@ std::optional<bool> TubeTracer::crosses_infinity(const BranchSegment& segment) c
   return crosses;
 }
 
-double TubeTracer::chord_error(const BranchSegment& segment) const {
-  const BranchTube& tube = segment.tube;
-  const SpaceBox speed = pair_.velocity(tube.centre.inverted, tube.hull, tube.velocity);
-  const double length = std::fabs(middle(segment.end.box[tube.axis]) - middle(segment.start.box[tube.axis])) + 1e-15;
-  double square = 0;
-  for (const DoubleInterval& coordinate : speed) {
-    const double deviation = width(coordinate) * length / 2;
-    square += deviation * deviation;
-  }
-  // The ends themselves are known up to their enclosures.
-  double ends = 0;
-  for (const PointEnclosure* end : {&segment.start, &segment.end})
-    for (const DoubleInterval& coordinate : pair_.point(end->inverted, end->box))
-      ends = std::max(ends, width(coordinate));
-  const double result = (std::sqrt(square) + 2 * ends) * (1 + 1e-12);
-  return std::isfinite(result) ? result : std::numeric_limits<double>::infinity();
-}
-
 std::optional<BranchSegment> TubeTracer::advance(const PointEnclosure& from, const std::array<double, 4>& direction,
                                                  double step) const {
   std::size_t axis = 0;
@@ -184,7 +167,7 @@ std::optional<BranchSegment> TubeTracer::advance(const PointEnclosure& from, con
   segment.tube = *std::move(tube);
   segment.start = from;
   segment.end = *end;
-  segment.error = chord_error(segment);
+  segment.error = chord_error(pair_, segment.tube, segment.start, segment.end);
   return segment;
 }
 

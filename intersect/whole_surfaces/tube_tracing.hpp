@@ -73,8 +73,9 @@ struct TracingLimits {
   double first_step = 0.02;
   double least_step = 1e-7;
   double largest_step = 0.1;
-  /// Largest distance of a chord from the branch, relative to max(size, |point|).
-  double tolerance = 1e-4;
+  /// Largest distance of a chord from the branch, relative to max(size, |point|), where it can be had without short
+  /// steps.
+  double tolerance = 1e-3;
   double size = 1;
   /// Beyond this distance, compared with the size or the seed's, branches above unbounded arcs are left; all of them
   /// beyond a modulus of their parameters.
@@ -105,7 +106,6 @@ class TubeTracer {
   Crossing crossing(const BranchSegment& segment, const BranchSeed& seed) const;
   /// 0 or 1 zeros of the weight factors on the segment; nullopt when that is not clear.
   std::optional<bool> crosses_infinity(const BranchSegment& segment) const;
-  double chord_error(const BranchSegment& segment) const;
   std::optional<BranchSegment> advance(const PointEnclosure& from, const std::array<double, 4>& direction,
                                        double step) const;
 

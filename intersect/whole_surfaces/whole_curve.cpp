@@ -97,22 +97,19 @@ WholeCurve::Branch WholeCurve::trace_from(std::size_t seed, SurfaceResult& resul
   if (!branch.closed) {
     Branch back = walk(tracer, seed, false, result);
     std::reverse(back.points.begin(), back.points.end());
-    std::reverse(back.errors.begin(), back.errors.end());
-    std::reverse(back.crosses.begin(), back.crosses.end());
+    std::reverse(back.chords.begin(), back.chords.end());
     back.points.pop_back();
-    for (std::size_t& gap : branch.gaps) gap += back.errors.size();
-    for (const std::size_t gap : back.gaps) branch.gaps.push_back(back.errors.size() - 1 - gap);
-    branch.tubes.insert(branch.tubes.end(), back.tubes.begin(), back.tubes.end());
+    for (Gap& gap : branch.gaps) gap.chord += back.chords.size();
+    for (const Gap& gap : back.gaps) branch.gaps.push_back({back.chords.size() - 1 - gap.chord, gap.below});
     branch.points.insert(branch.points.begin(), back.points.begin(), back.points.end());
-    branch.errors.insert(branch.errors.begin(), back.errors.begin(), back.errors.end());
-    branch.crosses.insert(branch.crosses.begin(), back.crosses.begin(), back.crosses.end());
+    branch.chords.insert(branch.chords.begin(), back.chords.begin(), back.chords.end());
     branch.ends[0] = back.ends[1];
     if (branch.reason.empty()) branch.reason = back.reason;
   } else {
     // The last tube reaches beyond the seed; what it crosses there was met by the first one.
     branch.points.back() = branch.points.front();
-    if (branch.crosses.back())
-      branch.crosses.back() = weight_changes_sign(branch.points[branch.points.size() - 2], branch.points.front());
+    bool& crosses = branch.chords.back().crosses_infinity;
+    crosses = crosses && weight_changes_sign(branch.points[branch.points.size() - 2], branch.points.front());
   }
   return branch;
 }
@@ -120,9 +117,7 @@ WholeCurve::Branch WholeCurve::trace_from(std::size_t seed, SurfaceResult& resul
 void WholeCurve::append(Branch& branch, const TracedBranch& traced) const {
   for (const BranchSegment& segment : traced.segments) {
     branch.points.push_back(segment.end);
-    branch.errors.push_back(segment.error);
-    branch.crosses.push_back(segment.crosses_infinity);
-    if (surfaces_.with_itself) branch.tubes.push_back(segment.tube);
+    branch.chords.push_back({segment.error, segment.crosses_infinity, segment.tube});
   }
 }
 
@@ -169,18 +164,16 @@ WholeCurve::Branch WholeCurve::walk(const TubeTracer& tracer, std::size_t seed, 
     if (!back.passages.empty() || std::any_of(back.segments.begin(), back.segments.end(), is_behind)) back = {};
     for (const SeedPassage& passage : back.passages) ++visits_[passage.seed];
     const PointEnclosure beyond = back.segments.empty() ? seeds_[from].point : back.segments.back().end;
-    const auto error = gap_error(arc, branch.points.back(), beyond, vertex);
+    const auto below = box_between(arc, branch.points.back(), beyond, vertex);
+    const auto error = below ? gap_error(*below, branch.points.back(), beyond) : std::nullopt;
     if (!error)
       branch.reason = "how far the polyline is from the curve is not proven near a point that tubes cannot pass";
-    branch.gaps.push_back(branch.errors.size());
-    branch.errors.push_back(error.value_or(0));
-    branch.crosses.push_back(weight_changes_sign(branch.points.back(), beyond));
-    if (surfaces_.with_itself)
-      for (const BranchSegment& segment : back.segments) branch.tubes.push_back(segment.tube);
+    branch.gaps.push_back({branch.chords.size(), below});
+    branch.chords.push_back({error.value_or(0), weight_changes_sign(branch.points.back(), beyond), {}});
     for (std::size_t k = back.segments.size(); k-- > 0;) {
-      branch.points.push_back(back.segments[k].end);
-      branch.errors.push_back(back.segments[k].error);
-      branch.crosses.push_back(back.segments[k].crosses_infinity);
+      const BranchSegment& segment = back.segments[k];
+      branch.points.push_back(segment.end);
+      branch.chords.push_back({segment.error, segment.crosses_infinity, segment.tube});
     }
     branch.points.push_back(seeds_[from].point);
   }

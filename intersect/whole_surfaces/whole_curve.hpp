@@ -11,6 +11,7 @@
 #include <eliminant/base/context.hpp>
 #include <eliminant/intersect/options.hpp>
 #include <eliminant/intersect/patches/surface_result.hpp>
+#include <eliminant/intersect/whole_surfaces/arc_filling.hpp>
 #include <eliminant/intersect/whole_surfaces/projected_arcs.hpp>
 #include <eliminant/intersect/whole_surfaces/projection_charts.hpp>
 #include <eliminant/intersect/whole_surfaces/tube_tracing.hpp>
@@ -63,20 +64,36 @@ class WholeCurve {
     std::size_t arc = 0;
     std::size_t end = 0;
   };
+  /// Parameters u and t in charts, between which an arc of the projection stays.
+  struct KeptBox {
+    std::array<bool, 2> inverted{};
+    std::array<DoubleInterval, 2> box;
+  };
+  /// A chord that no tube proves; the arc below it is in the box.
+  struct Gap {
+    std::size_t chord = 0;
+    std::optional<KeptBox> below;
+  };
+  /// Between a point of a branch and the next one.
+  struct Chord {
+    /// Bounds the distance in space from the branch.
+    double error = 0;
+    bool crosses_infinity = false;
+    /// Holds that part of the branch.
+    std::optional<BranchTube> tube;
+  };
   struct Branch {
     std::vector<PointEnclosure> points;
-    /// Between a point and the next one.
-    std::vector<double> errors;
-    std::vector<bool> crosses;
-    /// Of those between two points, which no tube proves.
-    std::vector<std::size_t> gaps;
-    std::vector<BranchTube> tubes;
+    std::vector<Chord> chords;
+    std::vector<Gap> gaps;
     bool mirrored = false;
     bool closed = false;
     std::array<std::optional<ArcEnd>, 2> ends;
     /// Pinch points take the place of ends.
     std::array<std::optional<std::size_t>, 2> pinch_points;
-    /// Why `errors` are estimates, if some are.
+    /// Bounds the distance of the chord to the pinch point from the branch.
+    std::array<double, 2> pinch_errors{};
+    /// Why errors of chords are estimates, if some are.
     std::string reason;
   };
   struct VertexState {
@@ -98,10 +115,11 @@ class WholeCurve {
   /// Whether a point is near the vertex at an end of an arc.
   bool is_near(std::size_t arc, std::size_t end, const PointEnclosure& last, double tolerance) const;
   std::optional<std::size_t> seed_beyond(const ArcEnd& end, const PointEnclosure& last);
-  /// Bounds the distance of the chord from the branch above the arc between two points of it.
-  /// Over a vertex at which two arcs meet, if one is given.
-  std::optional<double> gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to,
-                                  const std::optional<std::size_t>& vertex = {}) const;
+  /// Holds the arc between two points above it; over a vertex at which two arcs meet, if one is given.
+  std::optional<KeptBox> box_between(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to,
+                                     const std::optional<std::size_t>& vertex = {}) const;
+  /// Bounds the distance of the chord from the branch above an arc that is held by the box.
+  std::optional<double> gap_error(const KeptBox& below, const PointEnclosure& from, const PointEnclosure& to) const;
   /// Goes on to the other arc at a smooth vertex, whose index is returned.
   std::optional<std::size_t> turn_at_vertex(ArcEnd& end) const;
   std::optional<ArcEnd> arc_end(const TracedBranch& traced, std::size_t seed, bool forward) const;
@@ -123,9 +141,18 @@ class WholeCurve {
   /// of a branch mapped to itself the half from pinch point to its end, or to the next pinch point.
   void fold(std::vector<Branch>& branches, SurfaceResult& result);
   void halve(Branch& branch, SurfaceResult& result);
+  /// The parameters in the gap's charts at which the exchange of both points turns the branch round.
+  std::optional<std::array<DoubleInterval, 2>> enclosed_pinch_point(const Gap& gap) const;
+  SurfaceSingularPoint pinch_point(const Branch& branch, const Gap& gap) const;
+  /// Draws the branch to the pinch point that takes the place of an end.
+  void lead_to_pinch_point(Branch& branch, std::size_t end, const Gap& gap) const;
   void add_components(const Branch& branch, SurfaceResult& result);
   SurfaceComponent component(const Branch& branch, std::size_t first, std::size_t last, bool from_infinity,
                              bool to_infinity) const;
+  /// Points between a point of the branch and the next one, and the latter, with the tolerance asked for.
+  std::vector<ArcPoint> filled(const Branch& branch, std::size_t chord) const;
+  /// Largest distance in space of a polyline near a point from the branch.
+  double tolerance_at(const PointEnclosure& point) const;
   bool are_polynomial() const { return is_polynomial(surfaces_.first) && is_polynomial(surfaces_.second); }
   SurfacePoint presented(const PointEnclosure& point) const;
   void doubt(SurfaceResult& result, const std::string& reason);

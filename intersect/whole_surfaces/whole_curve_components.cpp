@@ -7,6 +7,13 @@
 
 namespace eliminant::intersect {
 
+namespace {
+
+/// Of chords, relative to the distance from the origin, whatever finer is asked for: finer ones are too many.
+constexpr double least_tolerance = 1e-6;
+
+}  // namespace
+
 SurfacePoint WholeCurve::presented(const PointEnclosure& point) const {
   SurfacePoint result;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -35,9 +42,34 @@ SurfaceComponent WholeCurve::component(const Branch& branch, std::size_t first, 
   std::size_t end = result.points.size();
   while (from_infinity && begin + 1 < end && is_far(result.points[begin])) ++begin;
   while (to_infinity && begin + 1 < end && is_far(result.points[end - 1])) --end;
-  result.points = {result.points.begin() + static_cast<long>(begin), result.points.begin() + static_cast<long>(end)};
-  for (std::size_t k = begin; k + 1 < end; ++k) result.error = std::max(result.error, branch.errors[first + k]);
+  result.points = {presented(branch.points[first + begin])};
+  for (std::size_t k = begin; k + 1 < end; ++k)
+    for (const ArcPoint& next : filled(branch, first + k)) {
+      result.points.push_back(presented(next.point));
+      result.error = std::max(result.error, next.error);
+    }
   result.certified = true;
+  return result;
+}
+
+double WholeCurve::tolerance_at(const PointEnclosure& point) const {
+  double reach = limits_.size;
+  for (const DoubleInterval& x : pair_.point(point.inverted, point.box))
+    if (x.is_finite()) reach = std::max(reach, x.magnitude());
+  return std::max(options_.tolerance, least_tolerance) * reach;
+}
+
+std::vector<ArcPoint> WholeCurve::filled(const Branch& branch, std::size_t chord) const {
+  const auto& [error, crosses, tube] = branch.chords[chord];
+  const PointEnclosure& next = branch.points[chord + 1];
+  if (!tube) return {{next, error}};
+  context_.checkpoint("drawing branches");
+  const auto moved = [&charts = tube->centre.inverted](const PointEnclosure& point) {
+    return PointEnclosure{charts, in_charts(point.box, point.inverted, charts)};
+  };
+  const PointEnclosure& from = branch.points[chord];
+  std::vector<ArcPoint> result = fill_arc(pair_, *tube, moved(from), moved(next), tolerance_at(next));
+  result.back().point = next;
   return result;
 }
 
@@ -48,12 +80,13 @@ void WholeCurve::close_gap(SurfaceComponent& piece, const Branch& branch, std::s
   piece.points.insert(end == 0 ? piece.points.begin() : piece.points.end(), point.at);
   std::optional<double> error;
   if (branch.pinch_points[end]) {
-    error = point.radius;
+    error = branch.pinch_errors[end];
   } else if (branch.ends[end]) {
     const std::size_t vertex = arcs_.arcs()[branch.ends[end]->arc].ends[branch.ends[end]->end];
     const FibreBox& box = *states_.at(vertex).lift.box;
     const PointEnclosure& last = end == 0 ? branch.points.front() : branch.points.back();
-    error = gap_error(branch.ends[end]->arc, last, {box.inverted, box.box});
+    const PointEnclosure goal{box.inverted, box.box};
+    if (const auto below = box_between(branch.ends[end]->arc, last, goal)) error = gap_error(*below, last, goal);
   }
   if (error)
     piece.error = std::max(piece.error, *error);
@@ -70,8 +103,8 @@ bool WholeCurve::weight_changes_sign(const PointEnclosure& from, const PointEncl
 
 void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
   std::vector<std::size_t> cuts;
-  for (std::size_t k = 0; k < branch.crosses.size(); ++k)
-    if (branch.crosses[k]) cuts.push_back(k);
+  for (std::size_t k = 0; k < branch.chords.size(); ++k)
+    if (branch.chords[k].crosses_infinity) cuts.push_back(k);
   const std::size_t last = branch.points.size() - 1;
   BranchEnd at_infinity;
   at_infinity.kind = BranchEndKind::infinity;
@@ -91,10 +124,8 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
     const std::size_t shift = cuts.front() + 1;
     open.points.pop_back();
     std::rotate(open.points.begin(), open.points.begin() + static_cast<long>(shift), open.points.end());
-    std::rotate(open.errors.begin(), open.errors.begin() + static_cast<long>(shift), open.errors.end());
-    std::rotate(open.crosses.begin(), open.crosses.begin() + static_cast<long>(shift), open.crosses.end());
-    open.crosses.pop_back();
-    open.errors.pop_back();
+    std::rotate(open.chords.begin(), open.chords.begin() + static_cast<long>(shift), open.chords.end());
+    open.chords.pop_back();
   }
   std::size_t first = 0;
   std::string reason = branch.reason;
@@ -102,7 +133,7 @@ void WholeCurve::add_components(const Branch& branch, SurfaceResult& result) {
   BranchEnd start = branch.closed ? at_infinity : branch_end(branch, 0, result, reason);
   for (std::size_t k = 0; k < open.points.size(); ++k) {
     const bool is_last = k + 1 == open.points.size();
-    if (!is_last && !open.crosses[k]) continue;
+    if (!is_last && !open.chords[k].crosses_infinity) continue;
     const BranchEnd end = is_last && !branch.closed ? branch_end(branch, 1, result, reason) : at_infinity;
     SurfaceComponent piece =
         component(open, first, k, start.kind == BranchEndKind::infinity, end.kind == BranchEndKind::infinity);

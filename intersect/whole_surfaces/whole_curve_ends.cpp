@@ -61,19 +61,28 @@ std::optional<std::size_t> WholeCurve::seed_beyond(const ArcEnd& end, const Poin
   return std::nullopt;
 }
 
-std::optional<double> WholeCurve::gap_error(std::size_t arc, const PointEnclosure& from, const PointEnclosure& to,
-                                            const std::optional<std::size_t>& vertex) const {
+std::optional<WholeCurve::KeptBox> WholeCurve::box_between(std::size_t arc, const PointEnclosure& from,
+                                                           const PointEnclosure& to,
+                                                           const std::optional<std::size_t>& vertex) const {
   auto at = arcs_.projection(from);
   if (vertex)
     for (std::size_t i = 0; i < 2; ++i) at[i] = hull(at[i], arcs_.enclosure(*vertex)[i]);
   const auto box = arcs_.box_between(arc, at, arcs_.projection(to), context_);
   if (!box) return std::nullopt;
-  std::array<DoubleInterval, 2> kept;
-  for (std::size_t i = 0; i < 2; ++i) kept[i] = arcs_.from_chart(i, from.inverted[3 * i]).inverse()((*box)[i]);
-  if (!kept[0].is_finite() || !kept[1].is_finite()) return std::nullopt;
+  KeptBox result{{from.inverted[0], from.inverted[3]}, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    result.box[i] = arcs_.from_chart(i, result.inverted[i]).inverse()((*box)[i]);
+    if (!result.box[i].is_finite()) return std::nullopt;
+  }
+  return result;
+}
+
+std::optional<double> WholeCurve::gap_error(const KeptBox& below, const PointEnclosure& from,
+                                            const PointEnclosure& to) const {
+  const Charts charts{below.inverted[0], false, false, below.inverted[1]};
   std::optional<double> best;
   for (double side = 0x1p-6; side > 1e-9; side /= 8) {
-    const auto boxes = fibre_boxes(pair_, from.inverted, kept[0], kept[1], side, 1000);
+    const auto boxes = fibre_boxes(pair_, charts, below.box[0], below.box[1], side, 1000);
     if (!boxes) break;
     const auto error = distance_within(*boxes, from, to);
     if (error && best && *error > 0.5 * *best) break;

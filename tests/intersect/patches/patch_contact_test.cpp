@@ -63,6 +63,34 @@ TEST_CASE("Patch contacts: a common border with common tangent planes is certifi
     }
 }
 
+TEST_CASE("Patch contacts: a ruling along which a plane touches a cylinder, in a position that doubles round") {
+  // Turned by 1/3 (2 -1 2, 2 2 -1, -1 2 2); the plane touches at u = 1/2. Nothing but rounding is in the condition that
+  // both normals be orthogonal to the ruling.
+  const std::string x = "(1 - u^2)";
+  const std::string y = "2*u";
+  const std::string z = "v*(1 + u^2)";
+  const PatchText cylinder{"2*" + x + " - " + y + " + 2*" + z, "2*" + x + " + 2*" + y + " - " + z,
+                           "2*" + y + " + 2*" + z + " - " + x, "3 + 3*u^2"};
+  const std::string a = "(3 - 4*(2*u - 1))";
+  const std::string b = "(4 + 3*(2*u - 1))";
+  const std::string c = "5*(3*v - 1)";
+  const PatchText plane{"(2*" + a + " - " + b + " + 2*" + c + ")/15", "(2*" + a + " + 2*" + b + " - " + c + ")/15",
+                        "(2*" + b + " + 2*" + c + " - " + a + ")/15"};
+  for (const bool exchanged : {false, true}) {
+    CAPTURE(exchanged);
+    const SurfaceResult result = exchanged ? solved(plane, cylinder) : solved(cylinder, plane);
+    CHECK(result.status == Status::certified);
+    REQUIRE(result.components.size() == 1);
+    CHECK(result.components[0].kind == SurfaceComponentKind::curve);
+    CHECK(result.components[0].tangential);
+    for (const SurfacePoint& point : result.components[0].points) {
+      const std::size_t own = exchanged ? 2 : 0;
+      CHECK(std::fabs(point.parameters[own] - 0.5) < 1e-12);
+      CHECK(std::fabs(point.parameters[own + 1] - (3 * point.parameters[3 - own] - 1)) < 1e-9);
+    }
+  }
+}
+
 TEST_CASE("Patch contacts: beside a seam the patches may meet again") {
   const SurfaceResult result = solved({"u", "v", "u^2"}, {"1 - u", "v", "1 - 2*u + 5*u^2 - 8*u^3"});
   CHECK(result.status == Status::certified);

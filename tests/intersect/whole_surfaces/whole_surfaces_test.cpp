@@ -245,7 +245,14 @@ TEST_CASE("Whole surfaces: the double curve of the biquadratic example") {
   for (const auto& point : result.singular_points) {
     CHECK(point.kind == SurfaceSingularity::pinch_point);
     CHECK(distance(point.at.parameters, {point.at.parameters[2], point.at.parameters[3], point.at.parameters[0],
-                                         point.at.parameters[1]}) < 1e-9);
+                                         point.at.parameters[1]}) == 0);
+    CHECK(point.radius < 1e-9);
+  }
+  for (const SurfaceComponent& component : result.components) {
+    double reach = 0;
+    for (const SurfacePoint& point : component.points)
+      for (const double x : point.point) reach = std::max(reach, std::fabs(x));
+    CHECK(component.error < 2e-6 * reach);
   }
   CHECK(std::count_if(result.components.begin(), result.components.end(),
                       [](const SurfaceComponent& component) { return component.mirrored; }) == 4);
@@ -268,6 +275,8 @@ TEST_CASE("Whole surfaces: an embedded torus does not meet itself, Whitney's umb
   check_counts(umbrella, 1, 0, 0, 1);
   REQUIRE(umbrella.components.size() == 1);
   CHECK(umbrella.components[0].mirrored);
+  CHECK(umbrella.components[0].error < 1e-3);
+  CHECK(umbrella.singular_points[0].radius < 1e-12);
   for (const SurfacePoint& point : umbrella.components[0].points) {
     CHECK(std::fabs(point.point[0]) < 1e-9);
     CHECK(point.point[1] > -1e-9);
