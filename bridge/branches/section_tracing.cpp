@@ -22,6 +22,8 @@ using Eigen::Vector3d;
 constexpr double margin = 0x1p-7;
 /// Tubes are at least that wide in the parameters, which is far above the errors of the points that are joined.
 constexpr double least_radius = 1e-12;
+/// Distance in the parameters from the place where the weight vanishes within which an arc to infinity may be left.
+constexpr double near_infinity = 0.05;
 
 Vector3d in_space(const Array4d& a) { return {a[0], a[1], a[2]}; }
 
@@ -95,8 +97,7 @@ class Tracing {
       const Vector2d rest = end - here_.x;
       const double allowed = tolerance_ * std::max(1.0, here_.distance_from_origin() / reach_);
       if (goal_.kind == SectionEnd::infinity) {
-        constexpr double near = 0.05;
-        if (here_.distance_from_origin() > 100 * reach_ && rest.norm() < near) return finish(0);
+        if (here_.distance_from_origin() > 100 * reach_ && rest.norm() < near_infinity) return finish(0);
         step = std::min(step, 0.3 * rest.norm());
       } else if (goal_.kind != SectionEnd::regular) {
         const auto error = chord_error(rest);
@@ -139,6 +140,10 @@ class Tracing {
 
   /// Where no step is proven any more: to the goal by whatever bound there is.
   SectionArc give_up(const Vector2d& rest) {
+    // Far away an arc to infinity may be left earlier.
+    if (goal_.kind == SectionEnd::infinity && here_.distance_from_origin() > 5 * reach_ &&
+        rest.norm() < 3 * near_infinity)
+      return finish(0);
     if (goal_.kind != SectionEnd::node && goal_.kind != SectionEnd::singular) return arc_;
     if (const auto error = chord_error(rest)) return finish_at_goal(*error);
     add(place_at({goal_.at[0], goal_.at[1]}));
@@ -315,8 +320,10 @@ class Tracing {
     if (!(mixed > 0) || !(2 * mixed > own(1 - axis)) || !(slope < 0.05)) return std::nullopt;
     const double along_cone = std::fabs(z[axis]);
     const double across = slope * along_cone + 4 * goal_.radius / std::fabs(directions->determinant());
-    if (!(std::fabs(z[1 - axis]) < 2 * across)) return std::nullopt;
-    return in_space_within(3 * across * directions->col(1 - axis).cwiseAbs(), rest.cwiseAbs());
+    // Clearly not in the other cone; next to the node doubles place it no better than that.
+    const double off_direction = std::fabs(z[1 - axis]);
+    if (!(off_direction < 0.05 * along_cone)) return std::nullopt;
+    return in_space_within((across + off_direction) * directions->col(1 - axis).cwiseAbs(), rest.cwiseAbs());
   }
 
   /// The arc is the graph of a function of the first parameter, and f has no zero on the horizontal sides of a box.

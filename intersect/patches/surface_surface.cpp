@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,22 +103,24 @@ SurfaceResult intersect_whole(const ParametricSurface& first, const ParametricSu
                               const Context& context) {
   const RationalSurface& a = first.pieces.front().map;
   const RationalSurface& b = second.pieces.front().map;
+  const auto with_projection = [&](SurfaceResult result) {
+    result.projection = SurfaceProjection{{"u", "t"}, symbolic::intersection_eliminant(a, b, options.seed, context)};
+    return result;
+  };
+  std::optional<SurfaceResult> section;
   if (options.engine == Engine::automatic && options.certify) {
-    if (auto result = intersect_by_inversion(a, b, options, context)) {
-      result->projection = SurfaceProjection{{"u", "t"}, symbolic::intersection_eliminant(a, b, options.seed, context)};
-      return *std::move(result);
-    }
+    section = intersect_by_inversion(a, b, options, context);
+    if (section && section->status == Status::certified) return with_projection(*std::move(section));
   }
   // Charts of one surface overlap each other everywhere.
   if (options.engine != Engine::exact && !are_one_surface(a, b, options, context)) {
     const Wanted wanted = options.engine == Engine::box ? Wanted::everything : Wanted::proof;
     SurfaceResult by_charts = intersect_charts(first, second, options, context, wanted);
-    if (by_charts.status == Status::certified || options.engine == Engine::box) {
-      by_charts.projection =
-          SurfaceProjection{{"u", "t"}, symbolic::intersection_eliminant(a, b, options.seed, context)};
-      return by_charts;
-    }
+    if (by_charts.status == Status::certified || options.engine == Engine::box)
+      return with_projection(std::move(by_charts));
   }
+  // Nothing is missing there; the eliminant would draw it with a much larger error.
+  if (section) return with_projection(*std::move(section));
   return intersect_whole_surfaces(a, b, options, context);
 }
 

@@ -10,6 +10,7 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/patches/branch_joining.hpp>
+#include <eliminant/intersect/sections/collapsed_points.hpp>
 #include <eliminant/intersect/sections/section_factors.hpp>
 #include <eliminant/intersect/sections/section_patch.hpp>
 #include <eliminant/intersect/whole_surfaces/projective_charts.hpp>
@@ -21,27 +22,6 @@ namespace {
 using symbolic::ParametricSurface;
 using symbolic::Polynomial;
 using symbolic::SurfacePiece;
-
-constexpr double same_within = 1e-9;
-
-bool is_unknown(const SurfacePoint& point) {
-  return std::isnan(point.parameters[0]) || std::isnan(point.parameters[1]);
-}
-
-bool is_same(double a, double b) {
-  if (a == b || (std::isnan(a) && std::isnan(b))) return true;
-  const bool large = std::fabs(a) > 1 && std::fabs(b) > 1;
-  return std::fabs(large ? 1 / a - 1 / b : a - b) < same_within;
-}
-
-bool is_same(const SurfacePoint& a, const SurfacePoint& b) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!(std::fabs(a.point[k] - b.point[k]) <= same_within * std::max(1.0, std::fabs(a.point[k])))) return false;
-  // Curves of parameters that are mapped to one point: the lines at infinity of a sphere from its pole.
-  if (is_unknown(a) && is_unknown(b)) return true;
-  // One point in space may have several pairs of parameters.
-  return is_same(a.parameters[0], b.parameters[0]) && is_same(a.parameters[1], b.parameters[1]);
-}
 
 SideRoles roles_of(const ProjectiveChart& chart, const ParametricSurface& surface) {
   SideRoles roles{};
@@ -72,7 +52,7 @@ void merge_singular_points(SurfaceResult& result) {
   std::vector<std::size_t> index;
   for (SurfaceSingularPoint& point : result.singular_points) {
     const auto same =
-        std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return is_same(m.at, point.at); });
+        std::find_if(merged.begin(), merged.end(), [&](const auto& m) { return is_same_point(m.at, point.at); });
     index.push_back(static_cast<std::size_t>(same - merged.begin()));
     if (same == merged.end()) {
       merged.push_back(std::move(point));
@@ -97,56 +77,12 @@ void remove_repeated_points(SurfaceResult& result) {
     for (std::size_t j = 0; j < all.size() && !removed[i]; ++j) {
       if (i == j || removed[j] || (all[j].kind == SurfaceComponentKind::point && j > i)) continue;
       if (all[j].kind == SurfaceComponentKind::overlap) continue;
-      removed[i] =
-          is_same(all[j].points.front(), all[i].points.front()) || is_same(all[j].points.back(), all[i].points.front());
+      removed[i] = is_same_point(all[j].points.front(), all[i].points.front()) ||
+                   is_same_point(all[j].points.back(), all[i].points.front());
     }
   }
   std::size_t at = 0;
   std::erase_if(all, [&](const SurfaceComponent&) { return removed[at++]; });
-}
-
-/// Points that have a curve of parameters: on their own, the ends of curves, or left out where these only end on a
-/// border.
-void finish_collapsed_points(SurfaceResult& result) {
-  std::vector<std::size_t> ends(result.singular_points.size(), 0);
-  std::vector<bool> needed(result.singular_points.size(), false);
-  for (SurfaceComponent& component : result.components)
-    for (BranchEnd* end : {&component.start, &component.end}) {
-      if (!end->singular_point) continue;
-      ++ends[*end->singular_point];
-      if (end->kind == BranchEndKind::border)
-        end->singular_point.reset();
-      else
-        needed[*end->singular_point] = true;
-    }
-  std::vector<SurfaceSingularPoint> kept;
-  std::vector<std::size_t> index;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    SurfaceSingularPoint& point = result.singular_points[i];
-    index.push_back(kept.size());
-    if (!is_unknown(point.at)) {
-      kept.push_back(std::move(point));
-      continue;
-    }
-    if (ends[i] > 0 && !needed[i]) continue;
-    point.half_branches = ends[i];
-    point.kind = ends[i] == 0   ? SurfaceSingularity::contact
-                 : ends[i] == 4 ? SurfaceSingularity::crossing
-                                : SurfaceSingularity::cusp;
-    if (ends[i] == 0) {
-      SurfaceComponent component;
-      component.kind = SurfaceComponentKind::point;
-      component.points.push_back(point.at);
-      component.error = point.radius;
-      component.certified = point.certified;
-      result.components.push_back(std::move(component));
-    }
-    kept.push_back(std::move(point));
-  }
-  result.singular_points = std::move(kept);
-  for (SurfaceComponent& component : result.components)
-    for (BranchEnd* end : {&component.start, &component.end})
-      if (end->singular_point) end->singular_point = index[*end->singular_point];
 }
 
 }  // namespace
@@ -183,6 +119,7 @@ SurfaceResult intersect_surface_with_equation(const ParametricSurface& surface, 
   merge_singular_points(result);
   join_branches(result, domain_bounds(surface, ParametricSurface()));
   remove_repeated_points(result);
+  join_at_collapsed_points(result, surface, equation);
   finish_collapsed_points(result);
   const Status status = result.status;
   summarise(result);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include <eliminant/symbolic/elimination/infinite_base_points.hpp>
+
 namespace eliminant::intersect {
 
 namespace {
@@ -53,7 +55,8 @@ SectionGraph::SectionGraph(const symbolic::SurfacePiece& patch, std::vector<Sect
     : factors_(std::move(factors)),
       polynomials_(patch.map.coordinates()),
       domain_(patch.region->sides),
-      topology_(topology_of(patch, factors_, options, context)) {
+      topology_(topology_of(patch, factors_, options, context)),
+      infinite_around_origin_(!weight_has_one_sign && symbolic::is_infinite_around_origin(patch.map)) {
   for (const SectionFactor& factor : factors_) balls_.emplace_back(factor.factor);
   for (const Polynomial& p : polynomials_) coordinates_.emplace_back(p);
   complete_ = topology_.status == Status::certified;
@@ -77,6 +80,13 @@ bool SectionGraph::is_singular_for(std::size_t factor, std::size_t vertex) const
   return acb_contains_zero(jet.dx.get()) != 0 && acb_contains_zero(jet.dy.get()) != 0;
 }
 
+bool SectionGraph::is_origin(std::size_t factor, std::size_t vertex) const {
+  // Of all points at which factors and weight meet only one is in the box of a vertex.
+  const PlaneBall at = place_of(topology_.vertices[vertex]);
+  return factors_[factor].factor.constant_term().is_zero() && acb_contains_zero(at.x.get()) != 0 &&
+         acb_contains_zero(at.y.get()) != 0;
+}
+
 std::optional<unsigned long> SectionGraph::order_along(std::size_t factor, std::size_t coordinate, std::size_t vertex,
                                                        const Options& options, const Context& context) const {
   PlaneCurvesProblem problem;
@@ -97,6 +107,7 @@ std::optional<unsigned long> SectionGraph::order_along(std::size_t factor, std::
 
 bool SectionGraph::goes_to_infinity(std::size_t factor, std::size_t base_point, const Options& options,
                                     const Context& context) const {
+  if (infinite_around_origin_ && is_origin(factor, base_point)) return true;
   if (is_singular_for(factor, base_point)) return false;
   Options own = options;
   own.engine = Engine::automatic;

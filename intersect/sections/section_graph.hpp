@@ -67,14 +67,17 @@ class SectionGraph {
   bool complete() const { return complete_; }
   /// Whether both partial derivatives of a factor may vanish at a vertex.
   bool is_singular_for(std::size_t factor, std::size_t vertex) const;
-  /// Whether points of the surface go to infinity along a factor that is smooth at a base point: the weight vanishes
-  /// to a higher order along it than another coordinate. False also where that is not proven.
+  /// Whether points of the surface go to infinity along a factor at a base point: because they do so along every path
+  /// there (symbolic/elimination/infinite_base_points), or the factor is smooth and the weight vanishes to a higher
+  /// order along it than another coordinate. False also where that is not proven.
   bool goes_to_infinity(std::size_t factor, std::size_t base_point, const Options& options,
                         const Context& context) const;
 
  private:
   bridge::PlaneBall place_of(const TopologyVertex& vertex) const;
   bool may_vanish(const bridge::BallCurve& curve, const bridge::PlaneBall& at) const;
+  /// Whether the vertex, where the factor meets the weight, has both parameters 0.
+  bool is_origin(std::size_t factor, std::size_t vertex) const;
   std::optional<SectionEdge> identified(const TopologyEdge& edge) const;
   std::optional<SectionEdge> identified_at(const std::array<double, 2>& point, bool vertical) const;
   void describe_edges(const SideRoles& roles);
@@ -91,6 +94,7 @@ class SectionGraph {
   std::vector<bridge::BallCurve> coordinates_;
   std::array<symbolic::Interval, 2> domain_;
   TopologyResult topology_;
+  bool infinite_around_origin_ = false;
   std::vector<SectionVertex> vertices_;
   std::vector<std::optional<SectionEdge>> edges_;
   std::vector<std::vector<std::size_t>> groups_;

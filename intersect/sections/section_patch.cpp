@@ -85,11 +85,11 @@ class PatchSection {
     graph_.emplace(patch_, factors_, frame_.weight_has_one_sign(), roles_, options_, context_);
     if (!graph_->complete()) {
       result_.status = Status::numeric;
-      result_.warnings.emplace_back("the topology of the curve in the parameters is not proven");
+      result_.warnings.emplace_back(topology_not_proven);
     }
     if (!frame_.round()) {
       result_.status = Status::numeric;
-      result_.warnings.emplace_back("coordinates are beyond the range in which hardware doubles are safe");
+      result_.warnings.emplace_back(beyond_doubles);
       return;
     }
     for (const SectionFactor& factor : graph_->factors())
@@ -103,7 +103,7 @@ class PatchSection {
 
   /// Without the topology even the kind of a component is not known: what looks like a point may be a small loop.
   void doubt_everything() {
-    const std::string reason = "the topology of the curve in the parameters is not proven";
+    const std::string reason = topology_not_proven;
     const auto doubt = [&](auto& part) {
       part.certified = false;
       if (part.reason.empty()) part.reason = reason;

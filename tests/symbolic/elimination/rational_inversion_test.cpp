@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
-#include <eliminant/symbolic/elimination/linear_inversion.hpp>
+#include <eliminant/symbolic/elimination/rational_inversion.hpp>
 
 using namespace eliminant::symbolic;
 
@@ -20,11 +21,11 @@ RationalSurface surface(const std::vector<std::string>& texts) {
 }
 
 /// Quotients and equation hold for all parameters.
-void check_identities(const RationalSurface& map, const LinearInversion& inversion) {
+void check_identities(const RationalSurface& map, const RationalInversion& inversion) {
   CHECK(inversion.equation.compose(map.coordinates()).is_zero());
   for (const std::size_t k : {0U, 1U}) {
     REQUIRE_FALSE(inversion.parameters[k].empty());
-    for (const LinearParameter& q : inversion.parameters[k])
+    for (const ParameterQuotient& q : inversion.parameters[k])
       CHECK(q.numerator.compose(map.coordinates()) ==
             Polynomial::variable(2, k) * q.denominator.compose(map.coordinates()));
   }
@@ -32,7 +33,7 @@ void check_identities(const RationalSurface& map, const LinearInversion& inversi
 
 }  // namespace
 
-TEST_CASE("Linear inversion: planes, a cylinder and quadrics by lines are inverted everywhere") {
+TEST_CASE("Rational inversion: planes, a cylinder and quadrics by lines are inverted everywhere") {
   const std::vector<std::vector<std::string>> maps{{"u", "v", "u + 2*v", "1"},
                                                    {"1 - u^2", "2*u", "v*(u^2 + 1)", "u^2 + 1"},
                                                    {"u", "v", "u*v", "1"},
@@ -41,14 +42,14 @@ TEST_CASE("Linear inversion: planes, a cylinder and quadrics by lines are invert
   for (const auto& texts : maps) {
     CAPTURE(texts[2]);
     const RationalSurface map = surface(texts);
-    const auto inversion = linear_inversion(map);
+    const auto inversion = rational_inversion(map);
     REQUIRE(inversion);
     check_identities(map, *inversion);
     CHECK(inversion->is_inverse_everywhere());
   }
 }
 
-TEST_CASE("Linear inversion: the pole of a sphere, the apex of a cone and a double line have no witness") {
+TEST_CASE("Rational inversion: the pole of a sphere, the apex of a cone and a double line have no witness") {
   struct Case {
     std::vector<std::string> map;
     std::array<long, 4> point;
@@ -62,7 +63,7 @@ TEST_CASE("Linear inversion: the pole of a sphere, the apex of a cone and a doub
   for (const auto& [texts, point, other] : cases) {
     CAPTURE(texts[2]);
     const RationalSurface map = surface(texts);
-    const auto inversion = linear_inversion(map);
+    const auto inversion = rational_inversion(map);
     REQUIRE(inversion);
     check_identities(map, *inversion);
     const auto has_witness = [&](const std::array<long, 4>& at) {
@@ -77,8 +78,38 @@ TEST_CASE("Linear inversion: the pole of a sphere, the apex of a cone and a doub
   }
 }
 
-TEST_CASE("Linear inversion: maps that cover their image twice, and parameters of higher degree, have none") {
-  CHECK_FALSE(linear_inversion(surface({"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(u^2 + 1)", "(u^2 + 1)*(v^2 + 1)"})));
-  CHECK_FALSE(linear_inversion(surface({"u^2", "v", "u^2 + v", "1"})));
-  CHECK_FALSE(linear_inversion(surface({"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"})));
+TEST_CASE("Rational inversion: a torus by quadratic forms") {
+  const RationalSurface torus = surface({"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"});
+  const auto inversion = rational_inversion(torus);
+  REQUIRE(inversion);
+  check_identities(torus, *inversion);
+  CHECK(inversion->equation.total_degree() == 4);
+  for (const auto& quotients : inversion->parameters)
+    for (const ParameterQuotient& q : quotients) CHECK(q.numerator.total_degree() == 2);
+  // On the outer, upper and inner circle one of them is not zero.
+  for (const std::array<long, 4>& at : {std::array<long, 4>{3, 0, 0, 1}, {0, 2, 1, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}}) {
+    std::vector<Polynomial> values;
+    for (const long x : at) values.push_back(Polynomial::constant(1, x));
+    CHECK(inversion->equation.compose(values).is_zero());
+    CHECK(std::any_of(inversion->witnesses.begin(), inversion->witnesses.end(),
+                      [&](const Polynomial& witness) { return !witness.compose(values).is_zero(); }));
+  }
+}
+
+TEST_CASE("Rational inversion: whether points without a witness are images of lines") {
+  const auto are_lines = [](const std::vector<std::string>& map) {
+    const auto inversion = rational_inversion(surface(map));
+    REQUIRE(inversion);
+    return inversion->exceptions_are_lines;
+  };
+  CHECK(are_lines({"2*u", "2*v", "u^2 + v^2 - 1", "u^2 + v^2 + 1"}));
+  CHECK(are_lines({"v*(1 - u^2)", "2*u*v", "v*(u^2 + 1)", "u^2 + 1"}));
+  CHECK(are_lines({"u", "v", "u*v", "1"}));
+  // Where z < 0 the double line of Whitney's umbrella has no real parameters.
+  CHECK_FALSE(are_lines({"u", "u*v", "v^2", "1"}));
+}
+
+TEST_CASE("Rational inversion: maps that cover their image twice, and parameters of higher degree, have none") {
+  CHECK_FALSE(rational_inversion(surface({"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(u^2 + 1)", "(u^2 + 1)*(v^2 + 1)"})));
+  CHECK_FALSE(rational_inversion(surface({"u^2", "v", "u^2 + v", "1"})));
 }
