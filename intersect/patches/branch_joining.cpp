@@ -10,50 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include <eliminant/intersect/patches/singular_joining.hpp>
+
 namespace eliminant::intersect {
 
 namespace {
 
 using Parameters = std::array<double, 4>;
-
-/// Ends are refined to much better than that, and different ones must be farther apart than the second, relative to the
-/// domain.
-constexpr double same_within = 1e-9;
-constexpr double apart_by = 1e-7;
-
-/// Distances of pairs of parameters: those with a domain relative to its width.
-class Metric {
- public:
-  explicit Metric(const DomainBounds& bounds) : bounds_(bounds) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!bounds_[k]) continue;
-      const auto [lower, upper] = *bounds_[k];
-      constexpr double digits = 0x1p-50;
-      rounding_ = std::max(rounding_, digits * std::max(std::fabs(lower), std::fabs(upper)) / width(k));
-    }
-  }
-
-  double distance(const Parameters& a, const Parameters& b) const {
-    double result = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (a[k] == b[k]) continue;
-      const bool inverted = std::fabs(a[k]) > 1 && std::fabs(b[k]) > 1;
-      // On the projective line large parameters are compared by their inverses.
-      const double difference = bounds_[k] ? (a[k] - b[k]) / width(k) : inverted ? 1 / a[k] - 1 / b[k] : a[k] - b[k];
-      result = std::max(result, std::fabs(difference));
-    }
-    return result;
-  }
-
-  /// How far apart doubles make parameters that are the same, relative to the domain.
-  double rounding() const { return rounding_; }
-
- private:
-  double width(std::size_t k) const { return (*bounds_[k])[1] - (*bounds_[k])[0]; }
-
-  const DomainBounds& bounds_;
-  double rounding_ = 0;
-};
 
 Parameters exchanged(const Parameters& p) { return {p[2], p[3], p[0], p[1]}; }
 
@@ -121,7 +84,7 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
 }
 
 /// How far in the parameters a polyline passes from a point.
-double distance_to(const SurfaceComponent& component, const Parameters& at, const Metric& metric) {
+double distance_to(const SurfaceComponent& component, const Parameters& at, const ParameterMetric& metric) {
   double result = INFINITY;
   const auto& points = component.points;
   if (points.size() == 1) return metric.distance(points.front().parameters, at);
@@ -167,8 +130,8 @@ class Joining {
       : result_(result),
         bounds_(bounds),
         metric_(bounds),
-        same_(same_within + metric_.rounding()),
-        apart_(apart_by + 100 * metric_.rounding()),
+        same_(metric_.same()),
+        apart_(metric_.apart()),
         symmetric_(symmetric) {}
 
   void run() {
@@ -182,11 +145,13 @@ class Joining {
       const Kept kept = kept_parameters(piece);
       const Parameters& first = piece.points.front().parameters;
       const Parameters& last = piece.points.back().parameters;
+      at_corner_.push_back({is_at_corner(piece.start), is_at_corner(piece.end)});
       open_.push_back({piece.start.kind == BranchEndKind::border && is_only_seam(piece.start, first, bounds_, kept),
                        piece.end.kind == BranchEndKind::border && is_only_seam(piece.end, last, bounds_, kept)});
       if (open_.back()[0]) open_ends_.push_back(first);
       if (open_.back()[1]) open_ends_.push_back(last);
     }
+    if (!symmetric_) find_crossings_on_seams();
     used_.assign(pieces_.size(), false);
     // Curves with an end first, what then is left are loops.
     for (const bool with_end : {true, false})
@@ -197,9 +162,76 @@ class Joining {
       }
     result_.components = std::move(rest_);
     take_out_repeated_points();
+    if (!symmetric_) join_singular_points(result_, bounds_);
   }
 
  private:
+  BranchEnd& end_of(std::size_t piece, bool at_end) { return at_end ? pieces_[piece].end : pieces_[piece].start; }
+  const SurfacePoint& place_of(std::size_t piece, bool at_end) const {
+    return at_end ? pieces_[piece].points.back() : pieces_[piece].points.front();
+  }
+
+  /// Both parameters of one of the surfaces are known exactly.
+  static bool is_at_corner(const BranchEnd& end) {
+    return (end.side[0] != 0 && end.side[1] != 0) || (end.side[2] != 0 && end.side[3] != 0);
+  }
+
+  /// Open ends of more than two pieces in one corner, as where kinked seams cross, and those in a contact of others.
+  void find_crossings_on_seams() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (const bool at_end : {false, true}) {
+        if (!open_[i][at_end ? 1 : 0]) continue;
+        const SurfacePoint at = place_of(i, at_end);
+        std::optional<std::size_t> crossing = contact_at(at.parameters);
+        const auto ends = open_ends_at(at.parameters);
+        const bool in_corner = std::all_of(ends.begin(), ends.end(),
+                                           [&](const auto& end) { return at_corner_[end.first][end.second ? 1 : 0]; });
+        const bool meet =
+            in_corner && ends.size() > 2 && open_ends_near(at.parameters) == static_cast<std::ptrdiff_t>(ends.size());
+        if (!crossing && !meet) continue;
+        if (!crossing) crossing = add_crossing(at, ends);
+        for (const auto& [piece, end] : ends) {
+          open_[piece][end ? 1 : 0] = false;
+          end_of(piece, end).kind = BranchEndKind::singular;
+          end_of(piece, end).singular_point = crossing;
+        }
+      }
+  }
+
+  /// Which pieces have an open end there, at their start or end.
+  std::vector<std::pair<std::size_t, bool>> open_ends_at(const Parameters& at) const {
+    std::vector<std::pair<std::size_t, bool>> result;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (const bool at_end : {false, true})
+        if (open_[i][at_end ? 1 : 0] && metric_.distance(place_of(i, at_end).parameters, at) < same_)
+          result.emplace_back(i, at_end);
+    return result;
+  }
+
+  std::optional<std::size_t> contact_at(const Parameters& at) const {
+    const auto& all = result_.singular_points;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const SurfaceSingularPoint& point) {
+      return point.certified &&
+             (point.kind == SurfaceSingularity::contact || point.kind == SurfaceSingularity::crossing) &&
+             metric_.distance(point.at.parameters, at) < same_;
+    });
+    if (found == all.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - all.begin());
+  }
+
+  std::size_t add_crossing(const SurfacePoint& at, const std::vector<std::pair<std::size_t, bool>>& ends) {
+    SurfaceSingularPoint point;
+    point.kind = SurfaceSingularity::crossing;
+    point.at = at;
+    point.half_branches = ends.size();
+    point.certified = true;
+    for (std::size_t k = 0; k < 4; ++k)
+      point.radius = std::max(point.radius, same_ * (bounds_[k] ? (*bounds_[k])[1] - (*bounds_[k])[0] : 1));
+    for (const auto& [piece, end] : ends) point.radius = std::max(point.radius, pieces_[piece].error);
+    result_.singular_points.push_back(std::move(point));
+    return result_.singular_points.size() - 1;
+  }
+
   /// Pieces that meet in a point find it several times, and some only the corner of what is a curve on another piece.
   /// A point at which no curve passes is one of the intersection, also where surfaces only touch along a seam.
   void take_out_repeated_points() {
@@ -263,6 +295,42 @@ class Joining {
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = all.size(); j-- > i + 1;)
         if (repeats(all[i], all[j])) all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
+    for (std::size_t i = all.size(); i-- > 0;)
+      if (is_cut_by_others(i)) all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+
+  /// Whether a curve along a seam is found in parts on the other side of the seam, where branches end in it.
+  bool is_cut_by_others(std::size_t index) const {
+    const std::vector<SurfaceComponent>& all = result_.components;
+    if (all[index].kind != SurfaceComponentKind::curve) return false;
+    const Kept kept = kept_parameters(all[index]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!kept[k]) continue;
+      const std::size_t along = k % 2 == 0 ? k + 1 : k - 1;
+      const auto range = [&](const SurfaceComponent& component) {
+        const auto [low, high] =
+            std::minmax(component.points.front().parameters[along], component.points.back().parameters[along]);
+        return std::array<double, 2>{low, high};
+      };
+      const auto [low, high] = range(all[index]);
+      double rest = high - low;
+      std::size_t parts = 0;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i == index || all[i].kind != SurfaceComponentKind::curve || !kept_parameters(all[i])[k]) continue;
+        const auto [from, to] = range(all[i]);
+        const double apart = all[i].points.front().parameters[k] - all[index].points.front().parameters[k];
+        const bool inside = std::fabs(apart) <= same_ && from >= low - same_ && to <= high + same_;
+        // Polylines are that far from their curves in the parameters at most.
+        constexpr double near = 1e-4;
+        if (!inside || !(distance_to(all[index], all[i].points.front().parameters, metric_) < near) ||
+            !(distance_to(all[index], all[i].points.back().parameters, metric_) < near))
+          continue;
+        rest -= to - from;
+        ++parts;
+      }
+      if (parts > 1 && std::fabs(rest) <= 1e-7 * (high - low)) return true;
+    }
+    return false;
   }
 
   void turn(std::size_t i) {
@@ -359,7 +427,7 @@ class Joining {
 
   SurfaceResult& result_;
   const DomainBounds& bounds_;
-  Metric metric_;
+  ParameterMetric metric_;
   double same_;
   double apart_;
   bool symmetric_;
@@ -367,6 +435,8 @@ class Joining {
   std::vector<SurfaceComponent> rest_;
   /// Whether start and end are to be continued.
   std::vector<std::array<bool, 2>> open_;
+  /// Whether start and end are in a corner of a piece.
+  std::vector<std::array<bool, 2>> at_corner_;
   /// Where, of all pieces.
   std::vector<Parameters> open_ends_;
   std::vector<bool> used_;
@@ -379,7 +449,7 @@ void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symme
 }
 
 void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
-  const Metric metric(bounds);
+  const ParameterMetric metric(bounds);
   std::vector<SurfaceComponent>& all = result.components;
   std::vector<bool> removed(all.size(), false);
   // Polylines are that far from their curves in the parameters at most.
