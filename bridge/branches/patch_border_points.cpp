@@ -114,12 +114,14 @@ class BorderSearch {
     if (!found.complete || !found.open.empty()) {
       const ContainedParts parts = contained_parts_(axis, side);
       for (const auto& [lower, upper] : parts.intervals) {
-        result_.contained.push_back({axis, side, lower, upper});
-        if (curves_ != nullptr) curves_->find_along(axis, side, lower, upper);
+        result_.contained.push_back({axis, side, lower, upper, parts.one_point});
+        if (curves_ != nullptr && !parts.one_point) curves_->find_along(axis, side, lower, upper);
       }
       if (parts.nothing_else) return;
       if (parts.intervals.empty()) result_.open.push_back({axis, side, "the border curve touches the other surface"});
-      if (!parts.intervals.empty())
+      if (parts.one_point)
+        result_.open.push_back({axis, side, "it is one point, which lies in the other surface"});
+      else if (!parts.intervals.empty())
         result_.open.push_back({axis, side, "a part of the border curve lies in the other surface"});
       return;
     }

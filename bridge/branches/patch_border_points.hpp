@@ -58,6 +58,8 @@ struct ContainedParts {
   std::vector<std::array<double, 2>> intervals;
   /// It has no other point in common with the other patch.
   bool nothing_else = false;
+  /// It is one point.
+  bool one_point = false;
 };
 
 /// Asked for only where doubles leave it open.

@@ -96,9 +96,16 @@ double BalancedPair::error_in_space(const bridge::CrossingPoint& point) const {
 
 bool BalancedPair::is_tangential(const std::array<double, 4>& parameters) const {
   const auto normal_at = [](const ControlNet& net, double u, double v) {
-    const bridge::PatchJets::Value value = bridge::PatchJets(net).at(u, v);
-    const Eigen::Vector3d p = value.first[0].head<3>().matrix();
-    const Eigen::Vector3d q = value.first[1].head<3>().matrix();
+    const auto slope = [&](double a, double b, std::size_t axis) {
+      return Eigen::Vector3d(bridge::PatchJets(net).at(a, b).first[axis].head<3>().matrix());
+    };
+    Eigen::Vector3d p = slope(u, v, 0);
+    Eigen::Vector3d q = slope(u, v, 1);
+    // Along a border that is one point: two directions in which the patch leaves it.
+    const auto elsewhere = [](double x) { return x < 0.5 ? x + 0.5 : x - 0.5; };
+    constexpr double nothing = 1e-12;
+    if (p.norm() <= nothing * q.norm()) p = slope(elsewhere(u), v, 1);
+    if (q.norm() <= nothing * p.norm()) q = slope(u, elsewhere(v), 0);
     return Eigen::Vector3d(p.cross(q).normalized());
   };
   const Eigen::Vector3d a = normal_at(first_net_, parameters[0], parameters[1]);

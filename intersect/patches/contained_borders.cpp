@@ -135,12 +135,14 @@ std::array<int, 4> sides_at(const std::array<double, 4>& at) {
 std::vector<SurfaceComponent> contained_curves(const BalancedPair& pair, const std::vector<ContainedBorder>& borders,
                                                const bridge::BranchGraph& graph, double tolerance) {
   std::vector<SurfaceComponent> found;
-  for (const ContainedBorder& border : borders)
+  for (const ContainedBorder& border : borders) {
+    if (border.one_point) continue;
     for (const BorderPart& part : parts_of(border, graph)) {
       SurfaceComponent component = drawn(pair, part, tolerance);
       const auto same = [&](const SurfaceComponent& other) { return have_same_ends(component, other); };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(std::move(component));
     }
+  }
   return found;
 }
 
@@ -148,7 +150,7 @@ void settle_contained_curves(std::vector<SurfaceComponent>& components, const Ba
                              const std::vector<ContainedBorder>& borders, const bridge::ContactCurves& curves,
                              const bridge::BranchGraph& graph) {
   for (SurfaceComponent& component : components) {
-    const auto of_it = [&](const ContainedBorder& border) { return lies_on(component, border); };
+    const auto of_it = [&](const ContainedBorder& border) { return !border.one_point && lies_on(component, border); };
     if (component.kind != SurfaceComponentKind::curve || std::none_of(borders.begin(), borders.end(), of_it)) continue;
     if (component.tangential && !component.certified) {
       component.certified = std::any_of(borders.begin(), borders.end(), [&](const ContainedBorder& border) {

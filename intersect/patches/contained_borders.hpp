@@ -17,9 +17,9 @@ namespace eliminant::intersect {
 /// ends where one of both patches does.
 std::array<int, 4> sides_at(const std::array<double, 4>& at);
 
-/// Border curves that lie in the other patch as components, one that is a border of both patches once. They end at the
-/// contacts in which branches cross them (the singular point is the index of the contact). Where both patches are
-/// tangent along one it is not certified.
+/// Border curves that lie in the other patch as components, one that is a border of both patches once, none for a
+/// border that is one point. They end at the contacts in which branches cross them (the singular point is the index of
+/// the contact). Where both patches are tangent along one it is not certified.
 std::vector<SurfaceComponent> contained_curves(const BalancedPair& pair,
                                                const std::vector<bridge::ContainedBorder>& borders,
                                                const bridge::BranchGraph& graph, double tolerance);

@@ -187,3 +187,41 @@ TEST_CASE("Seams: pieces of smoothly joined surfaces that meet in a corner alone
     CHECK(summary(result) == "1 0 0 0 0 certified");
   }
 }
+
+TEST_CASE("A border that is one point: alone in the other surface it is a point, where a branch ends in it no curve") {
+  // An octant of the unit sphere with its pole at u = 1.
+  const PatchText octant{"(1 - u^2)*(1 - v^2)", "(1 - u^2)*2*v", "2*u*(1 + v^2)", "(1 + u^2)*(1 + v^2)"};
+  struct Other {
+    PatchText plane;
+    bool tangential = false;
+  };
+  for (const Other& other :
+       {Other{{"2*u - 1", "4*v - 2", "1"}, true}, Other{{"u - 1/4", "1/4 - u", "2*v"}}, Other{{"u", "v", "1 + u + v"}}})
+    for (const bool exchanged : {false, true}) {
+      CAPTURE(other.plane.x);
+      const SurfaceResult result = exchanged ? solved(other.plane, octant) : solved(octant, other.plane);
+      CHECK(summary(result) == "0 0 1 0 0 certified");
+      REQUIRE(result.components.size() == 1);
+      const SurfaceComponent& pole = result.components[0];
+      CHECK(pole.tangential == other.tangential);
+      REQUIRE(pole.points.size() == 1);
+      const SurfacePoint& at = pole.points[0];
+      CHECK(at.parameters[exchanged ? 2 : 0] == 1);
+      // Every value of the other parameter has the point.
+      CHECK(std::isnan(at.parameters[exchanged ? 3 : 1]));
+      CHECK(pole.start.side[exchanged ? 2 : 0] == 1);
+      CHECK(std::hypot(at.point[0], at.point[1], at.point[2] - 1) <= pole.error);
+    }
+  // The half of a meridian; that it ends in the pole is not proven.
+  const SurfaceResult meridian = solved(octant, {"u - 1/4", "2*u - 1/2", "3*v - 1"});
+  CHECK(meridian.status == Status::numeric);
+  CHECK(meridian.counts.points == 0);
+  REQUIRE(meridian.components.size() == 1);
+  const SurfaceComponent& curve = meridian.components[0];
+  CHECK(curve.kind == SurfaceComponentKind::curve);
+  CHECK_FALSE(curve.certified);
+  CHECK(length_of(curve) == doctest::Approx(std::acos(0.0)).epsilon(1e-5));
+  CHECK(curve.end.kind == BranchEndKind::border);
+  CHECK(curve.end.side[0] == 1);
+  CHECK(curve.points.back().point[2] == doctest::Approx(1).epsilon(1e-15));
+}
