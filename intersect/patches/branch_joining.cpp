@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <eliminant/intersect/patches/seam_curves.hpp>
 #include <eliminant/intersect/patches/singular_joining.hpp>
 
 namespace eliminant::intersect {
@@ -34,34 +33,12 @@ void reverse(SurfaceComponent& component) {
   std::swap(component.start, component.end);
 }
 
-/// Of u, v, s, t, and the third barycentric coordinates of triangles in place of (u, v) and (s, t).
-using Kept = std::array<bool, 6>;
-constexpr std::size_t third = 4;
-
-/// The parameters that keep their value along the whole curve: it lies on a border or a seam there.
-Kept kept_parameters(const SurfaceComponent& component) {
-  Kept kept{};
-  constexpr double rounding = 1e-12;
-  for (std::size_t i = 0; i < 2; ++i)
-    kept[third + i] = component.start.third_side[i] && component.end.third_side[i] &&
-                      std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
-                        return std::fabs(point.parameters[2 * i] + point.parameters[2 * i + 1] - 1) <= rounding;
-                      });
-  for (std::size_t k = 0; k < 4; ++k)
-    kept[k] = std::abs(component.start.side[k]) == 1 && component.start.side[k] == component.end.side[k] &&
-              std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
-                const double value = component.points.front().parameters[k];
-                return std::fabs(point.parameters[k] - value) <= rounding * std::max(1.0, std::fabs(value));
-              });
-  return kept;
-}
-
 /// Forgets the sides that are no borders of the whole domain; true when some were, and none is left. Sides of the
 /// parameters that are kept do not count: the curve does not end there.
-bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds, const Kept& kept = {}) {
+bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds, const KeptParameters& kept = {}) {
   bool any = false;
   bool left = false;
-  for (std::size_t i = 0; i < 2; ++i) left = left || (end.third_side[i] && !kept[third + i]);
+  for (std::size_t i = 0; i < 2; ++i) left = left || (end.third_side[i] && !kept[first_third_coordinate + i]);
   for (std::size_t k = 0; k < 4; ++k) {
     if (end.side[k] == 0) continue;
     any = any || !kept[k];
@@ -81,28 +58,6 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
     left = left || (border && !kept[k]);
   }
   return any && !left;
-}
-
-/// How far in the parameters a polyline passes from a point.
-double distance_to(const SurfaceComponent& component, const Parameters& at, const ParameterMetric& metric) {
-  double result = INFINITY;
-  const auto& points = component.points;
-  if (points.size() == 1) return metric.distance(points.front().parameters, at);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Parameters& a = points[i].parameters;
-    const Parameters& b = points[i + 1].parameters;
-    double dot = 0;
-    double square = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      dot += (at[k] - a[k]) * (b[k] - a[k]);
-      square += (b[k] - a[k]) * (b[k] - a[k]);
-    }
-    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
-    Parameters foot;
-    for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
-    result = std::min(result, metric.distance(foot, at));
-  }
-  return result;
 }
 
 double distance_in_space(const SurfaceComponent& component, const std::array<double, 3>& at) {
@@ -135,14 +90,14 @@ class Joining {
         symmetric_(symmetric) {}
 
   void run() {
-    take_out_repeated_seams();
+    remove_repeated_seams(result_.components, metric_);
     for (SurfaceComponent& component : result_.components)
       if (component.kind == SurfaceComponentKind::curve)
         pieces_.push_back(std::move(component));
       else
         rest_.push_back(std::move(component));
     for (SurfaceComponent& piece : pieces_) {
-      const Kept kept = kept_parameters(piece);
+      const KeptParameters kept = kept_parameters(piece);
       const Parameters& first = piece.points.front().parameters;
       const Parameters& last = piece.points.back().parameters;
       at_corner_.push_back({is_at_corner(piece.start), is_at_corner(piece.end)});
@@ -266,71 +221,6 @@ class Joining {
     constexpr double near = 1e-3;
     if (!on_side || !(distance_to(curve, at.parameters, metric_) < near)) return false;
     return distance_in_space(curve, at.point) <= 2 * (curve.error + point.error);
-  }
-
-  /// A curve along a seam is found on both sides of it: one is enough.
-  void take_out_repeated_seams() {
-    const auto repeats = [this](const SurfaceComponent& a, const SurfaceComponent& b) {
-      if (a.kind != SurfaceComponentKind::curve || b.kind != SurfaceComponentKind::curve) return false;
-      const Parameters& first = b.points.front().parameters;
-      const Parameters& last = b.points.back().parameters;
-      const auto is_same = [&, this](const Parameters& from, const Parameters& to) {
-        return metric_.distance(a.points.front().parameters, from) < same_ &&
-               metric_.distance(a.points.back().parameters, to) < same_;
-      };
-      if (!is_same(first, last) && !is_same(last, first)) return false;
-      // Two halves of a circle have the same ends.
-      constexpr double near = 1e-4;
-      if (!(distance_to(a, b.points[b.points.size() / 2].parameters, metric_) < near)) return false;
-      // Along one line of the parameters there is one curve from end to end.
-      const Kept of_a = kept_parameters(a);
-      const Kept of_b = kept_parameters(b);
-      for (std::size_t k = 0; k < of_a.size(); ++k)
-        if (of_a[k] && of_b[k]) return true;
-      for (std::size_t i = 0; i < 2; ++i)
-        if (a.along_seam[i] && b.along_seam[i]) return true;
-      return false;
-    };
-    std::vector<SurfaceComponent>& all = result_.components;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t j = all.size(); j-- > i + 1;)
-        if (repeats(all[i], all[j])) all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
-    for (std::size_t i = all.size(); i-- > 0;)
-      if (is_cut_by_others(i)) all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-
-  /// Whether a curve along a seam is found in parts on the other side of the seam, where branches end in it.
-  bool is_cut_by_others(std::size_t index) const {
-    const std::vector<SurfaceComponent>& all = result_.components;
-    if (all[index].kind != SurfaceComponentKind::curve) return false;
-    const Kept kept = kept_parameters(all[index]);
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!kept[k]) continue;
-      const std::size_t along = k % 2 == 0 ? k + 1 : k - 1;
-      const auto range = [&](const SurfaceComponent& component) {
-        const auto [low, high] =
-            std::minmax(component.points.front().parameters[along], component.points.back().parameters[along]);
-        return std::array<double, 2>{low, high};
-      };
-      const auto [low, high] = range(all[index]);
-      double rest = high - low;
-      std::size_t parts = 0;
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i == index || all[i].kind != SurfaceComponentKind::curve || !kept_parameters(all[i])[k]) continue;
-        const auto [from, to] = range(all[i]);
-        const double apart = all[i].points.front().parameters[k] - all[index].points.front().parameters[k];
-        const bool inside = std::fabs(apart) <= same_ && from >= low - same_ && to <= high + same_;
-        // Polylines are that far from their curves in the parameters at most.
-        constexpr double near = 1e-4;
-        if (!inside || !(distance_to(all[index], all[i].points.front().parameters, metric_) < near) ||
-            !(distance_to(all[index], all[i].points.back().parameters, metric_) < near))
-          continue;
-        rest -= to - from;
-        ++parts;
-      }
-      if (parts > 1 && std::fabs(rest) <= 1e-7 * (high - low)) return true;
-    }
-    return false;
   }
 
   void turn(std::size_t i) {
@@ -482,66 +372,6 @@ void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
   }
   std::size_t index = 0;
   std::erase_if(all, [&](const SurfaceComponent&) { return removed[index++]; });
-}
-
-void append(SurfaceResult& all, SurfaceResult part) {
-  const std::size_t offset = all.singular_points.size();
-  for (SurfaceComponent& component : part.components) {
-    for (BranchEnd* end : {&component.start, &component.end})
-      if (end->singular_point) *end->singular_point += offset;
-    all.components.push_back(std::move(component));
-  }
-  std::move(part.singular_points.begin(), part.singular_points.end(), std::back_inserter(all.singular_points));
-  for (std::string& warning : part.warnings)
-    if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
-      all.warnings.push_back(std::move(warning));
-  all.counts.excluded += part.counts.excluded;
-  if (all.status == Status::infinite || part.status == Status::infinite) {
-    const bool certified = all.rest_status.value_or(all.status) == Status::certified &&
-                           part.rest_status.value_or(part.status) == Status::certified;
-    all.rest_status = certified ? Status::certified : Status::numeric;
-  }
-  for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
-    if (all.status == status || part.status == status) {
-      all.status = status;
-      break;
-    }
-  if (part.limit) all.limit = std::move(part.limit);
-  if (all.engine.method.empty()) all.engine = std::move(part.engine);
-}
-
-void summarise(SurfaceResult& result) {
-  std::stable_sort(result.components.begin(), result.components.end(), [](const auto& a, const auto& b) {
-    if (a.kind != b.kind) return a.kind < b.kind;
-    return a.points.front().parameters < b.points.front().parameters;
-  });
-  const auto doubt = [&] {
-    if (result.status == Status::certified) result.status = Status::numeric;
-    if (result.rest_status == Status::certified) result.rest_status = Status::numeric;
-  };
-  const auto excluded = result.counts.excluded;
-  result.counts = {};
-  result.counts.excluded = excluded;
-  for (const SurfaceComponent& component : result.components) {
-    switch (component.kind) {
-      case SurfaceComponentKind::curve:
-        ++result.counts.curves;
-        break;
-      case SurfaceComponentKind::loop:
-        ++result.counts.loops;
-        break;
-      case SurfaceComponentKind::point:
-        ++result.counts.points;
-        break;
-      case SurfaceComponentKind::overlap:
-        ++result.counts.overlaps;
-        break;
-    }
-    if (!component.certified) doubt();
-  }
-  for (const SurfaceSingularPoint& point : result.singular_points)
-    if (!point.certified) doubt();
-  result.counts.singular = result.singular_points.size();
 }
 
 }  // namespace eliminant::intersect

@@ -21,10 +21,4 @@ void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symme
 /// marks the curve as mirrored that is mapped to itself. Points of contact likewise.
 void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds);
 
-/// Adds the components, singular points and warnings of a pair of pieces to those before; the worse of both statuses.
-void append(SurfaceResult& all, SurfaceResult part);
-
-/// Sorts the components, sets the counts, and lowers the status to `numeric` where something is not certified.
-void summarise(SurfaceResult& result);
-
 }  // namespace eliminant::intersect

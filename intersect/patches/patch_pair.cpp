@@ -15,10 +15,8 @@
 #include <eliminant/bridge/contacts/contact_curves.hpp>
 #include <eliminant/bridge/contacts/crossing_tracing.hpp>
 #include <eliminant/bridge/contacts/surface_contact.hpp>
-#include <eliminant/bridge/nets/patch_jets.hpp>
 #include <eliminant/bridge/rounding/rational_double.hpp>
 #include <eliminant/intersect/overlaps/border_arc.hpp>
-#include <eliminant/intersect/overlaps/patch_inversion.hpp>
 #include <eliminant/intersect/overlaps/patch_overlap.hpp>
 #include <eliminant/intersect/patches/balanced_pair.hpp>
 #include <eliminant/intersect/patches/border_curves.hpp>
@@ -26,7 +24,9 @@
 #include <eliminant/intersect/patches/branch_joining.hpp>
 #include <eliminant/intersect/patches/contact_arcs.hpp>
 #include <eliminant/intersect/patches/contained_borders.hpp>
+#include <eliminant/intersect/patches/one_point_borders.hpp>
 #include <eliminant/intersect/patches/only_common_point.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
 
 namespace eliminant::intersect {
 
@@ -106,7 +106,7 @@ class PatchPair {
         [&](std::size_t axis, int side) {
           if (settle_common_surface()) throw Settled();
           const bridge::ExactNet& net = axis < 2 ? nets_.exact_first : nets_.exact_second;
-          return is_one_point(net, axis % 2, side) ? contained_point(axis, side) : borders.contained(axis, side);
+          return is_one_point(net, axis % 2, side) ? contained_point(pair_, axis, side) : borders.contained(axis, side);
         },
         context_, curves_);
     result_.components = contained_curves(pair_, border.contained, graph_, tolerance_);
@@ -135,7 +135,7 @@ class PatchPair {
     for (std::size_t i = 0; i < curves.curves().size(); ++i)
       complete = add_contact_curve(i, border.contained) && complete;
     for (const bridge::ContainedBorder& contained : border.contained)
-      if (contained.one_point) end_at_point(contained);
+      if (contained.one_point) end_at_point(result_.components, pair_, contained);
     settle_contained_curves(result_.components, pair_, border.contained, curves, graph_);
     for (const bridge::CellBox& hull : clusters_of(graph_.open)) add_undecided(hull);
     for (const bridge::OpenBorder& open : open_borders)
@@ -202,69 +202,6 @@ class PatchPair {
     return std::any_of(graph_.contacts.begin(), graph_.contacts.end(), [&](const bridge::CellContact& contact) {
       return contact.contact.parameters == touched.parameters;
     });
-  }
-
-  /// A border that is one point, and the parameters of the nearest point of the other patch.
-  std::array<double, 4> parameters_of_point(std::size_t axis, int side) const {
-    const std::size_t own = axis / 2;
-    bridge::PatchJets patch(own == 0 ? nets_.first : nets_.second);
-    bridge::PatchJets other(own == 0 ? nets_.second : nets_.first);
-    std::array<double, 4> at{};
-    at[axis] = side < 0 ? 0 : 1;
-    const auto there = nearest_parameters(other, patch.at(at[2 * own], at[2 * own + 1]).point);
-    at[2 - 2 * own] = there[0];
-    at[3 - 2 * own] = there[1];
-    return at;
-  }
-
-  bridge::ContainedParts contained_point(std::size_t axis, int side) const {
-    const std::array<double, 4> at = parameters_of_point(axis, side);
-    const auto a = bridge::PatchJets(nets_.first).at(at[0], at[1]);
-    const auto b = bridge::PatchJets(nets_.second).at(at[2], at[3]);
-    bridge::ContainedParts parts;
-    parts.one_point = true;
-    // Only said, not certified.
-    constexpr double accuracy = 1e-12;
-    if ((a.point - b.point).head<3>().abs().maxCoeff() <= a.error + b.error + accuracy * pair_.size())
-      parts.intervals.push_back({0, 1});
-    return parts;
-  }
-
-  /// Where a border is one point, which lies in the other patch: curves that come near to it end there; else it is a
-  /// point of the intersection.
-  void end_at_point(const bridge::ContainedBorder& border) {
-    const std::array<double, 4> at = parameters_of_point(border.axis, border.side);
-    SurfacePoint point = pair_.placed(at);
-    const std::size_t along = border.axis < 2 ? 1 - border.axis : 5 - border.axis;
-    bool reached = false;
-    for (SurfaceComponent& component : result_.components)
-      for (BranchEnd* end : {&component.start, &component.end}) {
-        const SurfacePoint& last = end == &component.start ? component.points.front() : component.points.back();
-        const double distance =
-            std::hypot(last.point[0] - point.point[0], last.point[1] - point.point[1], last.point[2] - point.point[2]);
-        // About as large as the parts of the domain that are left open.
-        constexpr double near = 1e-4;
-        if (end->kind != BranchEndKind::unknown || !(distance < near * pair_.size())) continue;
-        point.parameters[along] = last.parameters[along];
-        component.points.insert(end == &component.start ? component.points.begin() : component.points.end(), point);
-        component.error = std::max(component.error, distance);
-        component.certified = false;
-        component.reason = "it comes near to a border that is one point; that it ends there is not proven";
-        *end = BranchEnd{};
-        end->side[border.axis] = border.side;
-        reached = true;
-      }
-    if (reached) return;
-    point.parameters[along] = std::nan("");
-    SurfaceComponent component;
-    component.kind = SurfaceComponentKind::point;
-    component.points.push_back(point);
-    component.start.side[border.axis] = border.side;
-    component.end = component.start;
-    component.tangential = true;
-    component.error = pair_.rounding_of(component);
-    component.reason = "what else the surfaces have in common around a border that is one point is not proven";
-    result_.components.push_back(std::move(component));
   }
 
   void add_touching_point(const bridge::BorderPoint& point) {

@@ -15,6 +15,7 @@
 #include <eliminant/intersect/patches/joined_self_intersection.hpp>
 #include <eliminant/intersect/patches/one_sign_parts.hpp>
 #include <eliminant/intersect/patches/patch_pair.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
 #include <eliminant/intersect/patches/thinned_polylines.hpp>
 #include <eliminant/intersect/sections/implicit_section.hpp>
 #include <eliminant/intersect/sections/inverted_section.hpp>
