@@ -239,7 +239,10 @@ class Subdivision {
     const SurfaceContact* contact = contact_in(box, widest, cell.points.size() == 4);
     if (contact == nullptr) return false;
     const auto around = contacts_->neighbourhood(*contact, box);
-    if (!around || cell.points.size() != (around->crossing ? 4U : 0U)) return false;
+    if (!around || (!around->crossing && !cell.points.empty())) return false;
+    // Each half-arc that starts into the cell leaves it at one point. Only on the border of the domain, which all of
+    // them need not cross and one of them may follow, there are fewer than four.
+    if (around->crossing && cell.points.size() != 4 && !contact->is_on_border()) return false;
     std::array<bool, 4> taken{};
     for (const std::size_t i : cell.points) {
       const std::array<double, 4>& at = graph_.points[i].parameters;
@@ -250,6 +253,7 @@ class Subdivision {
     CrossingPoint point;
     point.parameters = contact->rounded;
     point.radius = place_slack;
+    for (std::size_t k = 0; k < 4; ++k) point.side[k] = contact->side(k);
     for (const std::size_t i : cell.points)
       graph_.arcs.push_back({i, graph_.points.size(), box, graph_.contacts.size(), {}});
     graph_.contacts.push_back({*contact, *around, box, graph_.points.size()});
@@ -260,8 +264,12 @@ class Subdivision {
   /// One that is known, or found now. Each failure makes the next attempt wait for smaller parts, unless it is likely.
   const SurfaceContact* contact_in(const CellBox& box, double widest, bool likely) {
     const auto inside = [&](const SurfaceContact& contact) {
-      for (std::size_t k = 0; k < 4; ++k)
-        if (!(contact.rounded[k] > box.lower[k] && contact.rounded[k] < box.upper[k])) return false;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double at = contact.rounded[k];
+        const bool above = at > box.lower[k] || (contact.side(k) < 0 && box.lower[k] == 0);
+        const bool below = at < box.upper[k] || (contact.side(k) > 0 && box.upper[k] > 1 - place_slack);
+        if (!above || !below) return false;
+      }
       return true;
     };
     const auto known = [&]() -> const SurfaceContact* {

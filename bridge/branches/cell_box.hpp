@@ -19,6 +19,8 @@ struct ContainedBorder {
   int side = -1;
   double lower = 0;
   double upper = 1;
+  /// The border is one point.
+  bool one_point = false;
 
   /// Whether a pair of parameters is on it, as far as its accuracy goes.
   bool holds(const std::array<double, 4>& at, double radius) const {

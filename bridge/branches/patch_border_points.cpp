@@ -81,6 +81,8 @@ class BorderSearch {
     std::erase_if(result_.points, is_contained);
     for (const auto& [point, border] : undecided_)
       if (!is_contained(point)) result_.open.push_back(border);
+    for (auto& [point, touched] : touched_)
+      if (!is_contained(point)) result_.touched.push_back(std::move(touched));
     return std::move(result_);
   }
 
@@ -112,12 +114,14 @@ class BorderSearch {
     if (!found.complete || !found.open.empty()) {
       const ContainedParts parts = contained_parts_(axis, side);
       for (const auto& [lower, upper] : parts.intervals) {
-        result_.contained.push_back({axis, side, lower, upper});
-        if (curves_ != nullptr) curves_->find_along(axis, side, lower, upper);
+        result_.contained.push_back({axis, side, lower, upper, parts.one_point});
+        if (curves_ != nullptr && !parts.one_point) curves_->find_along(axis, side, lower, upper);
       }
       if (parts.nothing_else) return;
       if (parts.intervals.empty()) result_.open.push_back({axis, side, "the border curve touches the other surface"});
-      if (!parts.intervals.empty())
+      if (parts.one_point)
+        result_.open.push_back({axis, side, "it is one point, which lies in the other surface"});
+      else if (!parts.intervals.empty())
         result_.open.push_back({axis, side, "a part of the border curve lies in the other surface"});
       return;
     }
@@ -151,10 +155,7 @@ class BorderSearch {
 
   bool is_on_contact_curve(const BorderProblem& problem, const RationalZero& contact) const {
     if (curves_ == nullptr || curves_->curves().empty()) return false;
-    std::array<Rational, 4> parameters;
-    parameters[problem.axis] = Rational(problem.side < 0 ? 0 : 1);
-    for (std::size_t k = 0; k < 3; ++k) parameters[problem.place[k]] = contact.parameters[k];
-    return curves_->holds(parameters);
+    return curves_->holds(parameters_of(problem, contact));
   }
 
   static CrossingPoint placed(const BorderProblem& problem, const IsolatedZero& zero) {
@@ -258,23 +259,29 @@ class BorderSearch {
     }
     const long sides = std::count_if(point.side.begin(), point.side.end(), [](int s) { return s != 0; });
     point.touching = true;
+    const auto undecided = [&](const char* reason) {
+      touched_.push_back({point, {parameters_of(problem, contact), {problem.axis, problem.side, reason}}});
+    };
+    // Other borders, in a corner, may be crossed outwards in both directions.
+    if (sides > 1 && arcs_inside(point) == 0U) {
+      point.arcs = 0;
+      return add(point);
+    }
     // Even contact stays on one side of the border.
-    if (contact.multiplicity > 2) {
-      undecided_.push_back({point, {problem.axis, problem.side, "the intersection touches the border of high order"}});
-      return;
-    }
+    if (contact.multiplicity > 2) return undecided("the intersection touches the border of high order");
     const std::optional<double> bend = bend_across(point, problem.axis);
-    if (!bend) {
-      undecided_.push_back({point, {problem.axis, problem.side, "the surfaces are tangent at the border"}});
-      return;
-    }
+    if (!bend) return undecided("the surfaces are tangent at the border");
     point.arcs = *bend * problem.side < 0 ? 2 : 0;
     // Outside of this border it is outside of the others as well; inside, they would have to be asked.
-    if (sides > 1 && point.arcs > 0) {
-      undecided_.push_back({point, {problem.axis, problem.side, "the intersection touches the border in a corner"}});
-      return;
-    }
+    if (sides > 1 && point.arcs > 0) return undecided("the intersection touches the border in a corner");
     add(point);
+  }
+
+  static std::array<Rational, 4> parameters_of(const BorderProblem& problem, const RationalZero& contact) {
+    std::array<Rational, 4> result;
+    result[problem.axis] = Rational(problem.side < 0 ? 0 : 1);
+    for (std::size_t k = 0; k < 3; ++k) result[problem.place[k]] = contact.parameters[k];
+    return result;
   }
 
   struct Jet {
@@ -356,17 +363,19 @@ class BorderSearch {
   /// How many arcs leave the point into both domains; nullopt where a direction is undecided.
   std::optional<unsigned> arcs_inside(const CrossingPoint& point) {
     const Jet jet = jet_at_point(point);
-    bool forward = true;
-    bool backward = true;
+    enum class Way { inside, undecided, outside };
+    // Along the tangent, and against it: outside of one border is outside.
+    std::array<Way, 2> ways{Way::inside, Way::inside};
     for (std::size_t k = 0; k < 4; ++k) {
       if (point.side[k] == 0) continue;
       const double component = jet.tangent[static_cast<long>(k)];
-      if (!(std::fabs(component) > jet.tangent_error[static_cast<long>(k)])) return std::nullopt;
+      const bool decided = std::fabs(component) > jet.tangent_error[static_cast<long>(k)];
       const bool inward = component * point.side[k] < 0;
-      forward = forward && inward;
-      backward = backward && !inward;
+      for (std::size_t i = 0; i < 2; ++i)
+        ways[i] = std::max(ways[i], !decided ? Way::undecided : inward == (i == 0) ? Way::inside : Way::outside);
     }
-    return (forward ? 1U : 0U) + (backward ? 1U : 0U);
+    if (ways[0] == Way::undecided || ways[1] == Way::undecided) return std::nullopt;
+    return static_cast<unsigned>(std::count(ways.begin(), ways.end(), Way::inside));
   }
 
   /// The second derivative of the parameter along the intersection, where that touches the border of the axis.
@@ -405,6 +414,7 @@ class BorderSearch {
   const Context& context_;
   ContactCurves* curves_;
   std::vector<std::pair<CrossingPoint, OpenBorder>> undecided_;
+  std::vector<std::pair<CrossingPoint, TouchedBorder>> touched_;
   BorderPoints result_;
 };
 

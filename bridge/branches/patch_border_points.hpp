@@ -30,9 +30,18 @@ struct OpenBorder {
   std::string reason;
 };
 
+/// A border curve that touches the other patch in a point in which more than that had to be known to tell what begins
+/// or ends there; of the rest of the border curve everything is known.
+struct TouchedBorder {
+  std::array<symbolic::Rational, 4> parameters;
+  OpenBorder border;
+};
+
 struct BorderPoints {
   /// Those on several borders at once are listed once.
   std::vector<BorderPoint> points;
+  /// Not among the points: decided where these parameters are those of a contact that is known (CellContact).
+  std::vector<TouchedBorder> touched;
   /// Border curves that belong to the intersection; points on them are not listed.
   std::vector<ContainedBorder> contained;
   std::vector<OpenBorder> open;
@@ -49,6 +58,8 @@ struct ContainedParts {
   std::vector<std::array<double, 2>> intervals;
   /// It has no other point in common with the other patch.
   bool nothing_else = false;
+  /// It is one point.
+  bool one_point = false;
 };
 
 /// Asked for only where doubles leave it open.

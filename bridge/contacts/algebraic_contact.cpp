@@ -233,7 +233,9 @@ std::optional<std::array<Rational, 4>> algebraic_contact(const ControlNet& first
     return std::nullopt;
   std::array<Rational, 4> result;
   constexpr long precision = 192;
-  for (std::size_t k = 0; k < 4; ++k) result[k] = rational_of((*x)[k], precision);
+  // A constant is the number itself, which decides whether it is a bound of a domain.
+  for (std::size_t k = 0; k < 4; ++k)
+    result[k] = parameters[k].total_degree() <= 0 ? parameters[k].constant_term() : rational_of((*x)[k], precision);
   return result;
 }
 

@@ -10,8 +10,8 @@
 namespace eliminant::bridge {
 
 /// The parameters (u, v, s, t) of a point in which two patches touch, real algebraic numbers, each within 2^-150 of the
-/// rational number returned; proven, as long as the second patch is immersed there. `near` are the parameters in
-/// doubles, at a simple zero of the conditions of a contact (contact_conditions).
+/// rational number returned, and equal to one that is 0 or 1; proven, as long as the second patch is immersed there.
+/// `near` are the parameters in doubles, at a simple zero of the conditions of a contact (contact_conditions).
 ///
 /// Newton's method in numbers of 640 bits; lattice reduction recognises the minimal polynomial of a combination of the
 /// parameters and each of them as a polynomial in it, of degree at most eight; exact division proves that both patches

@@ -26,6 +26,13 @@ constexpr std::size_t weight = 3;
 
 double middle(const DoubleInterval& x) { return 0.5 * (x.lower + x.upper); }
 
+/// True when it is decided that the parameter, known to 2^-150 unless it is 0 or 1 itself, is in [0, 1].
+bool is_in_domain(const Rational& parameter) {
+  if (parameter.is_zero() || (parameter - Rational(1)).is_zero()) return true;
+  const Rational least = exactly(0x1p-140);
+  return least < parameter && parameter < Rational(1) - least;
+}
+
 /// The directions in which the form vanishes, of an indefinite one.
 std::array<std::array<double, 2>, 2> asymptotic_directions(double uu, double uv, double vv) {
   const double root = std::sqrt(std::max(0.0, uv * uv - uu * vv));
@@ -89,8 +96,8 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
   bool simple = true;
   for (std::size_t k = 0; k < 4 && simple; ++k) {
     const double at = x[static_cast<long>(k)];
-    constexpr double inside = 1e-9;
-    if (!(x.minCoeff() > inside) || !(x.maxCoeff() < 1 - inside)) return std::nullopt;
+    constexpr double beyond = 1e-9;
+    if (!(x.minCoeff() > -beyond) || !(x.maxCoeff() < 1 + beyond)) return std::nullopt;
     // Parts of domains have large denominators.
     constexpr double accuracy = 1e-12;
     constexpr double largest_denominator = 0x1p18;
@@ -103,6 +110,7 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
     if (!algebraic) return std::nullopt;
     contact.parameters = *algebraic;
   }
+  if (!std::all_of(contact.parameters.begin(), contact.parameters.end(), is_in_domain)) return std::nullopt;
   for (std::size_t k = 0; k < 4; ++k) contact.rounded[k] = nearest(contact.parameters[k]);
   return contact;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -13,9 +14,17 @@ namespace eliminant::bridge {
 
 /// A point where two patches touch, proven by exact substitution.
 struct SurfaceContact {
-  /// u, v, s, t: as they are where they are rational with small denominators, else within 2^-150.
+  /// u, v, s, t: as they are where they are rational with small denominators or bounds of the domain, else within
+  /// 2^-150.
   std::array<symbolic::Rational, 4> parameters;
   std::array<double, 4> rounded{};
+
+  /// -1 or 1 where the parameter is the lower or the upper bound of its domain, exactly, else 0.
+  int side(std::size_t axis) const {
+    const symbolic::Rational& at = parameters[axis];
+    return at.is_zero() ? -1 : at == symbolic::Rational(1) ? 1 : 0;
+  }
+  bool is_on_border() const { return side(0) != 0 || side(1) != 0 || side(2) != 0 || side(3) != 0; }
 };
 
 /// What the patches have in common in a box around a contact, proven.
@@ -50,10 +59,10 @@ class SurfaceContactProver {
                        const ExactNet& exact_second)
       : first_(first), second_(second), exact_first_(exact_first), exact_second_(exact_second) {}
 
-  /// A contact inside both domains in or near the box, proven; nullopt where none is found.
+  /// A contact in both closed domains in or near the box, proven; nullopt where none is found.
   std::optional<SurfaceContact> find(const CellBox& box) const;
 
-  /// nullopt where the box is too large, or the Hessian degenerate.
+  /// For a box that holds the contact, perhaps on its border; nullopt where it is too large, or the Hessian degenerate.
   std::optional<ContactNeighbourhood> neighbourhood(const SurfaceContact& contact, const CellBox& box) const;
 
  private:

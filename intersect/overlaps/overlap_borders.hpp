@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <eliminant/intersect/patches/branch_joining.hpp>
+#include <eliminant/intersect/patches/parameter_metric.hpp>
 #include <eliminant/intersect/patches/surface_result.hpp>
 
 namespace eliminant::intersect {

@@ -4,56 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <eliminant/intersect/patches/seam_curves.hpp>
+#include <eliminant/intersect/patches/singular_joining.hpp>
 
 namespace eliminant::intersect {
 
 namespace {
 
 using Parameters = std::array<double, 4>;
-
-/// Ends are refined to much better than that, and different ones must be farther apart than the second, relative to the
-/// domain.
-constexpr double same_within = 1e-9;
-constexpr double apart_by = 1e-7;
-
-/// Distances of pairs of parameters: those with a domain relative to its width.
-class Metric {
- public:
-  explicit Metric(const DomainBounds& bounds) : bounds_(bounds) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!bounds_[k]) continue;
-      const auto [lower, upper] = *bounds_[k];
-      constexpr double digits = 0x1p-50;
-      rounding_ = std::max(rounding_, digits * std::max(std::fabs(lower), std::fabs(upper)) / width(k));
-    }
-  }
-
-  double distance(const Parameters& a, const Parameters& b) const {
-    double result = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (a[k] == b[k]) continue;
-      const bool inverted = std::fabs(a[k]) > 1 && std::fabs(b[k]) > 1;
-      // On the projective line large parameters are compared by their inverses.
-      const double difference = bounds_[k] ? (a[k] - b[k]) / width(k) : inverted ? 1 / a[k] - 1 / b[k] : a[k] - b[k];
-      result = std::max(result, std::fabs(difference));
-    }
-    return result;
-  }
-
-  /// How far apart doubles make parameters that are the same, relative to the domain.
-  double rounding() const { return rounding_; }
-
- private:
-  double width(std::size_t k) const { return (*bounds_[k])[1] - (*bounds_[k])[0]; }
-
-  const DomainBounds& bounds_;
-  double rounding_ = 0;
-};
 
 Parameters exchanged(const Parameters& p) { return {p[2], p[3], p[0], p[1]}; }
 
@@ -71,34 +33,12 @@ void reverse(SurfaceComponent& component) {
   std::swap(component.start, component.end);
 }
 
-/// Of u, v, s, t, and the third barycentric coordinates of triangles in place of (u, v) and (s, t).
-using Kept = std::array<bool, 6>;
-constexpr std::size_t third = 4;
-
-/// The parameters that keep their value along the whole curve: it lies on a border or a seam there.
-Kept kept_parameters(const SurfaceComponent& component) {
-  Kept kept{};
-  constexpr double rounding = 1e-12;
-  for (std::size_t i = 0; i < 2; ++i)
-    kept[third + i] = component.start.third_side[i] && component.end.third_side[i] &&
-                      std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
-                        return std::fabs(point.parameters[2 * i] + point.parameters[2 * i + 1] - 1) <= rounding;
-                      });
-  for (std::size_t k = 0; k < 4; ++k)
-    kept[k] = std::abs(component.start.side[k]) == 1 && component.start.side[k] == component.end.side[k] &&
-              std::all_of(component.points.begin(), component.points.end(), [&](const SurfacePoint& point) {
-                const double value = component.points.front().parameters[k];
-                return std::fabs(point.parameters[k] - value) <= rounding * std::max(1.0, std::fabs(value));
-              });
-  return kept;
-}
-
 /// Forgets the sides that are no borders of the whole domain; true when some were, and none is left. Sides of the
 /// parameters that are kept do not count: the curve does not end there.
-bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds, const Kept& kept = {}) {
+bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& bounds, const KeptParameters& kept = {}) {
   bool any = false;
   bool left = false;
-  for (std::size_t i = 0; i < 2; ++i) left = left || (end.third_side[i] && !kept[third + i]);
+  for (std::size_t i = 0; i < 2; ++i) left = left || (end.third_side[i] && !kept[first_third_coordinate + i]);
   for (std::size_t k = 0; k < 4; ++k) {
     if (end.side[k] == 0) continue;
     any = any || !kept[k];
@@ -118,28 +58,6 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
     left = left || (border && !kept[k]);
   }
   return any && !left;
-}
-
-/// How far in the parameters a polyline passes from a point.
-double distance_to(const SurfaceComponent& component, const Parameters& at, const Metric& metric) {
-  double result = INFINITY;
-  const auto& points = component.points;
-  if (points.size() == 1) return metric.distance(points.front().parameters, at);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Parameters& a = points[i].parameters;
-    const Parameters& b = points[i + 1].parameters;
-    double dot = 0;
-    double square = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      dot += (at[k] - a[k]) * (b[k] - a[k]);
-      square += (b[k] - a[k]) * (b[k] - a[k]);
-    }
-    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
-    Parameters foot;
-    for (std::size_t k = 0; k < 4; ++k) foot[k] = a[k] + place * (b[k] - a[k]);
-    result = std::min(result, metric.distance(foot, at));
-  }
-  return result;
 }
 
 double distance_in_space(const SurfaceComponent& component, const std::array<double, 3>& at) {
@@ -167,26 +85,28 @@ class Joining {
       : result_(result),
         bounds_(bounds),
         metric_(bounds),
-        same_(same_within + metric_.rounding()),
-        apart_(apart_by + 100 * metric_.rounding()),
+        same_(metric_.same()),
+        apart_(metric_.apart()),
         symmetric_(symmetric) {}
 
   void run() {
-    take_out_repeated_seams();
+    remove_repeated_seams(result_.components, metric_);
     for (SurfaceComponent& component : result_.components)
       if (component.kind == SurfaceComponentKind::curve)
         pieces_.push_back(std::move(component));
       else
         rest_.push_back(std::move(component));
     for (SurfaceComponent& piece : pieces_) {
-      const Kept kept = kept_parameters(piece);
+      const KeptParameters kept = kept_parameters(piece);
       const Parameters& first = piece.points.front().parameters;
       const Parameters& last = piece.points.back().parameters;
+      at_corner_.push_back({is_at_corner(piece.start), is_at_corner(piece.end)});
       open_.push_back({piece.start.kind == BranchEndKind::border && is_only_seam(piece.start, first, bounds_, kept),
                        piece.end.kind == BranchEndKind::border && is_only_seam(piece.end, last, bounds_, kept)});
       if (open_.back()[0]) open_ends_.push_back(first);
       if (open_.back()[1]) open_ends_.push_back(last);
     }
+    if (!symmetric_) find_crossings_on_seams();
     used_.assign(pieces_.size(), false);
     // Curves with an end first, what then is left are loops.
     for (const bool with_end : {true, false})
@@ -197,9 +117,76 @@ class Joining {
       }
     result_.components = std::move(rest_);
     take_out_repeated_points();
+    if (!symmetric_) join_singular_points(result_, bounds_);
   }
 
  private:
+  BranchEnd& end_of(std::size_t piece, bool at_end) { return at_end ? pieces_[piece].end : pieces_[piece].start; }
+  const SurfacePoint& place_of(std::size_t piece, bool at_end) const {
+    return at_end ? pieces_[piece].points.back() : pieces_[piece].points.front();
+  }
+
+  /// Both parameters of one of the surfaces are known exactly.
+  static bool is_at_corner(const BranchEnd& end) {
+    return (end.side[0] != 0 && end.side[1] != 0) || (end.side[2] != 0 && end.side[3] != 0);
+  }
+
+  /// Open ends of more than two pieces in one corner, as where kinked seams cross, and those in a contact of others.
+  void find_crossings_on_seams() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (const bool at_end : {false, true}) {
+        if (!open_[i][at_end ? 1 : 0]) continue;
+        const SurfacePoint at = place_of(i, at_end);
+        std::optional<std::size_t> crossing = contact_at(at.parameters);
+        const auto ends = open_ends_at(at.parameters);
+        const bool in_corner = std::all_of(ends.begin(), ends.end(),
+                                           [&](const auto& end) { return at_corner_[end.first][end.second ? 1 : 0]; });
+        const bool meet =
+            in_corner && ends.size() > 2 && open_ends_near(at.parameters) == static_cast<std::ptrdiff_t>(ends.size());
+        if (!crossing && !meet) continue;
+        if (!crossing) crossing = add_crossing(at, ends);
+        for (const auto& [piece, end] : ends) {
+          open_[piece][end ? 1 : 0] = false;
+          end_of(piece, end).kind = BranchEndKind::singular;
+          end_of(piece, end).singular_point = crossing;
+        }
+      }
+  }
+
+  /// Which pieces have an open end there, at their start or end.
+  std::vector<std::pair<std::size_t, bool>> open_ends_at(const Parameters& at) const {
+    std::vector<std::pair<std::size_t, bool>> result;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (const bool at_end : {false, true})
+        if (open_[i][at_end ? 1 : 0] && metric_.distance(place_of(i, at_end).parameters, at) < same_)
+          result.emplace_back(i, at_end);
+    return result;
+  }
+
+  std::optional<std::size_t> contact_at(const Parameters& at) const {
+    const auto& all = result_.singular_points;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const SurfaceSingularPoint& point) {
+      return point.certified &&
+             (point.kind == SurfaceSingularity::contact || point.kind == SurfaceSingularity::crossing) &&
+             metric_.distance(point.at.parameters, at) < same_;
+    });
+    if (found == all.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - all.begin());
+  }
+
+  std::size_t add_crossing(const SurfacePoint& at, const std::vector<std::pair<std::size_t, bool>>& ends) {
+    SurfaceSingularPoint point;
+    point.kind = SurfaceSingularity::crossing;
+    point.at = at;
+    point.half_branches = ends.size();
+    point.certified = true;
+    for (std::size_t k = 0; k < 4; ++k)
+      point.radius = std::max(point.radius, same_ * (bounds_[k] ? (*bounds_[k])[1] - (*bounds_[k])[0] : 1));
+    for (const auto& [piece, end] : ends) point.radius = std::max(point.radius, pieces_[piece].error);
+    result_.singular_points.push_back(std::move(point));
+    return result_.singular_points.size() - 1;
+  }
+
   /// Pieces that meet in a point find it several times, and some only the corner of what is a curve on another piece.
   /// A point at which no curve passes is one of the intersection, also where surfaces only touch along a seam.
   void take_out_repeated_points() {
@@ -234,35 +221,6 @@ class Joining {
     constexpr double near = 1e-3;
     if (!on_side || !(distance_to(curve, at.parameters, metric_) < near)) return false;
     return distance_in_space(curve, at.point) <= 2 * (curve.error + point.error);
-  }
-
-  /// A curve along a seam is found on both sides of it: one is enough.
-  void take_out_repeated_seams() {
-    const auto repeats = [this](const SurfaceComponent& a, const SurfaceComponent& b) {
-      if (a.kind != SurfaceComponentKind::curve || b.kind != SurfaceComponentKind::curve) return false;
-      const Parameters& first = b.points.front().parameters;
-      const Parameters& last = b.points.back().parameters;
-      const auto is_same = [&, this](const Parameters& from, const Parameters& to) {
-        return metric_.distance(a.points.front().parameters, from) < same_ &&
-               metric_.distance(a.points.back().parameters, to) < same_;
-      };
-      if (!is_same(first, last) && !is_same(last, first)) return false;
-      // Two halves of a circle have the same ends.
-      constexpr double near = 1e-4;
-      if (!(distance_to(a, b.points[b.points.size() / 2].parameters, metric_) < near)) return false;
-      // Along one line of the parameters there is one curve from end to end.
-      const Kept of_a = kept_parameters(a);
-      const Kept of_b = kept_parameters(b);
-      for (std::size_t k = 0; k < of_a.size(); ++k)
-        if (of_a[k] && of_b[k]) return true;
-      for (std::size_t i = 0; i < 2; ++i)
-        if (a.along_seam[i] && b.along_seam[i]) return true;
-      return false;
-    };
-    std::vector<SurfaceComponent>& all = result_.components;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (std::size_t j = all.size(); j-- > i + 1;)
-        if (repeats(all[i], all[j])) all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
   }
 
   void turn(std::size_t i) {
@@ -359,7 +317,7 @@ class Joining {
 
   SurfaceResult& result_;
   const DomainBounds& bounds_;
-  Metric metric_;
+  ParameterMetric metric_;
   double same_;
   double apart_;
   bool symmetric_;
@@ -367,6 +325,8 @@ class Joining {
   std::vector<SurfaceComponent> rest_;
   /// Whether start and end are to be continued.
   std::vector<std::array<bool, 2>> open_;
+  /// Whether start and end are in a corner of a piece.
+  std::vector<std::array<bool, 2>> at_corner_;
   /// Where, of all pieces.
   std::vector<Parameters> open_ends_;
   std::vector<bool> used_;
@@ -379,7 +339,7 @@ void join_branches(SurfaceResult& result, const DomainBounds& bounds, bool symme
 }
 
 void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
-  const Metric metric(bounds);
+  const ParameterMetric metric(bounds);
   std::vector<SurfaceComponent>& all = result.components;
   std::vector<bool> removed(all.size(), false);
   // Polylines are that far from their curves in the parameters at most.
@@ -412,66 +372,6 @@ void remove_mirror_images(SurfaceResult& result, const DomainBounds& bounds) {
   }
   std::size_t index = 0;
   std::erase_if(all, [&](const SurfaceComponent&) { return removed[index++]; });
-}
-
-void append(SurfaceResult& all, SurfaceResult part) {
-  const std::size_t offset = all.singular_points.size();
-  for (SurfaceComponent& component : part.components) {
-    for (BranchEnd* end : {&component.start, &component.end})
-      if (end->singular_point) *end->singular_point += offset;
-    all.components.push_back(std::move(component));
-  }
-  std::move(part.singular_points.begin(), part.singular_points.end(), std::back_inserter(all.singular_points));
-  for (std::string& warning : part.warnings)
-    if (std::find(all.warnings.begin(), all.warnings.end(), warning) == all.warnings.end())
-      all.warnings.push_back(std::move(warning));
-  all.counts.excluded += part.counts.excluded;
-  if (all.status == Status::infinite || part.status == Status::infinite) {
-    const bool certified = all.rest_status.value_or(all.status) == Status::certified &&
-                           part.rest_status.value_or(part.status) == Status::certified;
-    all.rest_status = certified ? Status::certified : Status::numeric;
-  }
-  for (const Status status : {Status::incomplete, Status::infinite, Status::numeric})
-    if (all.status == status || part.status == status) {
-      all.status = status;
-      break;
-    }
-  if (part.limit) all.limit = std::move(part.limit);
-  if (all.engine.method.empty()) all.engine = std::move(part.engine);
-}
-
-void summarise(SurfaceResult& result) {
-  std::stable_sort(result.components.begin(), result.components.end(), [](const auto& a, const auto& b) {
-    if (a.kind != b.kind) return a.kind < b.kind;
-    return a.points.front().parameters < b.points.front().parameters;
-  });
-  const auto doubt = [&] {
-    if (result.status == Status::certified) result.status = Status::numeric;
-    if (result.rest_status == Status::certified) result.rest_status = Status::numeric;
-  };
-  const auto excluded = result.counts.excluded;
-  result.counts = {};
-  result.counts.excluded = excluded;
-  for (const SurfaceComponent& component : result.components) {
-    switch (component.kind) {
-      case SurfaceComponentKind::curve:
-        ++result.counts.curves;
-        break;
-      case SurfaceComponentKind::loop:
-        ++result.counts.loops;
-        break;
-      case SurfaceComponentKind::point:
-        ++result.counts.points;
-        break;
-      case SurfaceComponentKind::overlap:
-        ++result.counts.overlaps;
-        break;
-    }
-    if (!component.certified) doubt();
-  }
-  for (const SurfaceSingularPoint& point : result.singular_points)
-    if (!point.certified) doubt();
-  result.counts.singular = result.singular_points.size();
 }
 
 }  // namespace eliminant::intersect

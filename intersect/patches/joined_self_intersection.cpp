@@ -14,6 +14,7 @@
 #include <eliminant/intersect/patches/patch_pair.hpp>
 #include <eliminant/intersect/patches/patch_parts.hpp>
 #include <eliminant/intersect/patches/surface_atlas.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
 #include <eliminant/intersect/whole_surfaces/projective_charts.hpp>
 
 namespace eliminant::intersect {

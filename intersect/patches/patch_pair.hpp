@@ -2,8 +2,8 @@
 #pragma once
 
 #include <eliminant/base/context.hpp>
-#include <eliminant/intersect/curve_surface/prepared_net.hpp>
 #include <eliminant/intersect/options.hpp>
+#include <eliminant/intersect/patches/prepared_patch.hpp>
 #include <eliminant/intersect/patches/surface_result.hpp>
 #include <eliminant/symbolic/geometry/rational_surface.hpp>
 
@@ -13,15 +13,6 @@ namespace eliminant::intersect {
 /// and engine of the result; every arc ends on a border or at a singular point.
 SurfaceResult intersect_patches(const symbolic::SurfacePiece& first, const symbolic::SurfacePiece& second,
                                 const Options& options, const Context& context);
-
-/// A patch as the engine takes it, weights positive where they have one sign. Throws InvalidInput where it is none;
-/// `which` names the surface.
-PreparedNet prepared_patch(const symbolic::SurfacePiece& piece, const char* which);
-
-bool has_positive_weights(const PreparedNet& net);
-
-/// Largest side of the box around the control points.
-double size_of(const PreparedNet& net);
 
 /// The same of two parts of one patch, prepared; `tolerance` is a distance in space. Whether they cover each other is
 /// not asked (patch_overlap): that asks in turn whether a patch meets itself.

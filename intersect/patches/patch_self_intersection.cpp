@@ -15,6 +15,7 @@
 #include <eliminant/intersect/patches/branch_joining.hpp>
 #include <eliminant/intersect/patches/patch_pair.hpp>
 #include <eliminant/intersect/patches/patch_parts.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
 #include <eliminant/intersect/patches/triple_points.hpp>
 
 namespace eliminant::intersect {

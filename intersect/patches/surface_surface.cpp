@@ -16,6 +16,8 @@
 #include <eliminant/intersect/patches/joined_self_intersection.hpp>
 #include <eliminant/intersect/patches/one_sign_parts.hpp>
 #include <eliminant/intersect/patches/patch_pair.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
+#include <eliminant/intersect/patches/thinned_polylines.hpp>
 #include <eliminant/intersect/sections/implicit_section.hpp>
 #include <eliminant/intersect/sections/inverted_section.hpp>
 #include <eliminant/intersect/whole_surfaces/projective_charts.hpp>
@@ -184,6 +186,7 @@ SurfaceResult intersect_surface_surface(const SurfaceSurfaceProblem& problem, co
                          : is_whole(*first) && is_whole(*second) ? intersect_whole(*first, *second, tracing, context)
                                                                  : intersect_charts(*first, *second, tracing, context);
   result.problem = "surface_surface";
+  thin_polylines(result);
   fit_splines(result, options);
   return result;
 }
@@ -203,6 +206,7 @@ SurfaceResult intersect_surface_with_itself(const SurfaceSelfIntersectionProblem
                          : is_patch ? intersect_patch_with_itself(pieces.front(), tracing, context)
                                     : intersect_joined_surface_with_itself(problem.surface, tracing, context);
   result.problem = "self_intersection";
+  thin_polylines(result);
   fit_splines(result, options);
   return result;
 }

@@ -15,6 +15,7 @@
 #include <eliminant/bridge/nets/patch_jets.hpp>
 #include <eliminant/intersect/patches/branch_joining.hpp>
 #include <eliminant/intersect/patches/patch_pair.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
 #include <eliminant/intersect/sections/section_frame.hpp>
 #include <eliminant/intersect/sections/section_graph.hpp>
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <eliminant/intersect/patches/branch_joining.hpp>
+#include <eliminant/intersect/patches/parameter_metric.hpp>
 #include <eliminant/intersect/patches/surface_result.hpp>
 #include <eliminant/intersect/patches/triangle_charts.hpp>
 #include <eliminant/symbolic/geometry/rational_surface.hpp>

@@ -22,9 +22,26 @@ constexpr std::size_t most_bytes = std::size_t{8} << 30U;
 constexpr std::size_t most_points = 100000000;
 constexpr const char* expected_file = "a point cloud: XYZ, CSV, PLY or PCD";
 
-std::string read_bytes(const std::string& path) {
+/// A pipe without a writer never opens, and a device may never end. Standard input is what the caller meant.
+void refuse_others_than_files(const std::string& path) {
+  if (path == "/dev/stdin") return;
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InvalidInput("is a directory", expected_file);
+  switch (std::filesystem::status(path, error).type()) {
+    case std::filesystem::file_type::directory:
+      throw InvalidInput("is a directory", expected_file);
+    case std::filesystem::file_type::fifo:
+    case std::filesystem::file_type::socket:
+      throw InvalidInput("is a pipe or a socket", "a regular file or /dev/stdin");
+    case std::filesystem::file_type::character:
+    case std::filesystem::file_type::block:
+      throw InvalidInput("is a device", "a regular file or /dev/stdin");
+    default:
+      return;
+  }
+}
+
+std::string read_bytes(const std::string& path) {
+  refuse_others_than_files(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) throw InvalidInput("cannot be opened: " + std::string(std::strerror(errno)), expected_file);
   std::string bytes;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <eliminant/intersect/patches/branch_joining.hpp>
+#include <eliminant/intersect/patches/surface_summary.hpp>
 
 using namespace eliminant::intersect;
 

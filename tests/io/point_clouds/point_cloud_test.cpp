@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +10,7 @@
 #include <eliminant/base/error.hpp>
 #include <eliminant/io/point_clouds/ply_file.hpp>
 #include <eliminant/io/point_clouds/point_cloud_file.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -221,4 +224,11 @@ TEST_CASE("Files of clouds that cannot be read are named") {
   };
   CHECK(message_of("/nowhere/scan.ply").find("the cloud '/nowhere/scan.ply' cannot be opened") == 0);
   CHECK(message_of("/") == "the cloud '/' is a directory");
+  CHECK(message_of("/dev/zero") == "the cloud '/dev/zero' is a device");
+  // Nobody writes to it: to open it would be to wait for ever.
+  const std::string pipe = std::filesystem::temp_directory_path() / ("eliminant-pipe-" + std::to_string(getpid()));
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string message = message_of(pipe);
+  std::filesystem::remove(pipe);
+  CHECK(message == "the cloud '" + pipe + "' is a pipe or a socket");
 }
