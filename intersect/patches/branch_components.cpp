@@ -16,6 +16,7 @@ class Walk {
         ends_here_(graph.points.size(), false),
         done_(graph.arcs.size(), false) {
     for (const bridge::CellCrossing& crossing : graph.crossings) ends_here_[crossing.point] = true;
+    for (const bridge::CellContact& contact : graph.contacts) ends_here_[contact.point] = true;
     for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
       arcs_at_[graph.arcs[i].from].push_back(i);
       arcs_at_[graph.arcs[i].to].push_back(i);
@@ -59,7 +60,7 @@ class Walk {
 
   const bridge::BranchGraph& graph_;
   std::vector<std::vector<std::size_t>> arcs_at_;
-  /// Points at which a branch crosses a curve of contact.
+  /// Contacts (also cusps, with two arcs), and points at which a branch crosses a curve of contact.
   std::vector<bool> ends_here_;
   std::vector<bool> done_;
   std::vector<BranchChain> chains_;

@@ -15,6 +15,7 @@
 #include <eliminant/bridge/branches/patch_border_points.hpp>
 #include <eliminant/bridge/branches/zoomed_tracing.hpp>
 #include <eliminant/bridge/contacts/contact_curves.hpp>
+#include <eliminant/bridge/contacts/corank_one_tracing.hpp>
 #include <eliminant/bridge/contacts/crossing_tracing.hpp>
 #include <eliminant/bridge/contacts/surface_contact.hpp>
 #include <eliminant/bridge/nets/patch_jets.hpp>
@@ -344,13 +345,15 @@ class PatchPair {
   /// Singular points are those of the contacts first, in their order.
   void add_contact(const bridge::CellContact& contact) {
     SurfaceSingularPoint point;
-    point.kind = contact.around.crossing ? SurfaceSingularity::crossing : SurfaceSingularity::contact;
+    point.half_branches = contact.around.half_branches();
+    point.kind = point.half_branches == 0  ? SurfaceSingularity::contact
+                 : contact.around.crossing ? SurfaceSingularity::crossing
+                                           : SurfaceSingularity::cusp;
     point.at = placed(contact.contact.rounded);
     point.radius = 0x1p-50;
-    point.half_branches = contact.around.crossing ? 4 : 0;
     point.certified = true;
     result_.singular_points.push_back(point);
-    if (contact.around.crossing) return;
+    if (point.half_branches > 0) return;
     SurfaceComponent component;
     component.kind = SurfaceComponentKind::point;
     component.points.push_back(point.at);
@@ -469,7 +472,11 @@ class PatchPair {
   bridge::TracedArc traced_arc(bridge::ArcTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
     const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
-    if (arc.contact) return bridge::trace_to_contact(nets, from, graph_.contacts[*arc.contact], tolerance_, context_);
+    if (arc.contact) {
+      const bridge::CellContact& contact = graph_.contacts[*arc.contact];
+      return contact.around.degenerate ? bridge::trace_to_corank_one(first_net_, from, contact, tolerance_, context_)
+                                       : bridge::trace_to_contact(nets, from, contact, tolerance_, context_);
+    }
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
       return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_, context_);
