@@ -32,10 +32,10 @@ struct CorankOneContact {
 std::optional<CorankOneContact> corank_one_contact(const ExactNet& first, const ExactNet& second,
                                                    const std::array<symbolic::Rational, 4>& parameters);
 
-/// The parameters of such a contact in or near the box, approximately; nullopt where doubles see none. The conditions
-/// are that the first derivatives of h and the derivative of order m - 1 of h along its ridge vanish, which is a simple
+/// The parameters of such contacts in or near the box, approximately; none where doubles see none. The conditions are
+/// that the first derivatives of h and the derivative of order m - 1 of h along its ridge vanish, which is a simple
 /// zero where Newton's method for a contact meets a multiple one.
-std::optional<std::array<double, 4>> corank_one_contact_near(const ControlNet& first, const ControlNet& second,
-                                                             const CellBox& box, std::size_t order);
+std::vector<std::array<double, 4>> corank_one_contacts_near(const ControlNet& first, const ControlNet& second,
+                                                            const CellBox& box);
 
 }  // namespace eliminant::bridge

@@ -119,15 +119,13 @@ std::optional<SurfaceContact> SurfaceContactProver::find_simple(const CellBox& b
 }
 
 std::optional<SurfaceContact> SurfaceContactProver::find_degenerate(const CellBox& box) const {
-  for (std::size_t order = 3; order <= CorankOneContact::highest_order; ++order) {
-    const auto near = corank_one_contact_near(first_, second_, box, order);
-    if (!near) continue;
+  for (const std::array<double, 4>& near : corank_one_contacts_near(first_, second_, box)) {
     SurfaceContact contact;
     bool simple = true;
     for (std::size_t k = 0; k < 4 && simple; ++k) {
       constexpr double accuracy = 1e-11;
       constexpr double largest_denominator = 0x1p16;
-      const auto fraction = simple_fraction((*near)[k], accuracy, largest_denominator);
+      const auto fraction = simple_fraction(near[k], accuracy, largest_denominator);
       simple = fraction.has_value();
       if (simple) contact.parameters[k] = *fraction;
     }

@@ -45,6 +45,7 @@ const std::vector<Planted> planted{
     {"A3, two branches that bend to one side", "(" + y + " - " + x + "^2)*(" + y + " - 2*" + x + "^2)", 4, 0,
      SurfaceSingularity::cusp},
     {"A4", x + "^2 - " + y + "^5", 2, 0, SurfaceSingularity::cusp},
+    {"A5, on its own", y + "^2 + " + x + "^6", 0, 1, SurfaceSingularity::contact},
     {"A5, two branches", y + "^2 - 3*" + x + "^6", 4, 0, SurfaceSingularity::cusp},
 };
 
