@@ -28,6 +28,27 @@ struct Cell {
   std::vector<std::size_t> points;
 };
 
+/// A contact that was found, and what is known around a degenerate one.
+struct KnownContact {
+  SurfaceContact contact;
+  std::optional<SurfaceContactProver::Surroundings> surroundings;
+
+  /// Whether the box is one in which its half-branches are all.
+  bool explains(const CellBox& box) const {
+    if (!surroundings) return false;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (box.lower[k] < surroundings->box.lower[k] || box.upper[k] > surroundings->box.upper[k]) return false;
+    return true;
+  }
+  /// Whether the contact may be in the closed box.
+  bool touches(const CellBox& box) const {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (contact.rounded[k] < box.lower[k] - place_slack || contact.rounded[k] > box.upper[k] + place_slack)
+        return false;
+    return true;
+  }
+};
+
 class Subdivision {
  public:
   Subdivision(const ControlNet& first, const ControlNet& second, std::vector<ContainedBorder> contained,
@@ -236,17 +257,21 @@ class Subdivision {
     if (contacts_ == nullptr || !(widest < small)) return false;
     const CellBox box = box_of(cell);
     // Where four arcs meet it pays to look again and again.
-    const SurfaceContact* contact = contact_in(box, widest, cell.points.size() == 4);
-    if (contact == nullptr) return false;
-    const auto around = contacts_->neighbourhood(*contact, box);
-    if (!around || (!around->crossing && !cell.points.empty())) return false;
+    const KnownContact* known = contact_in(box, widest, cell.points.size() == 4);
+    if (known == nullptr) return is_beside_contact(cell, box);
+    const SurfaceContact* contact = &known->contact;
+    const auto around = known->explains(box) ? std::optional(known->surroundings->neighbourhood)
+                                             : contacts_->neighbourhood(*contact, box);
+    if (!around) return false;
     // Each half-arc that starts into the cell leaves it at one point. Only on the border of the domain, which all of
     // them need not cross and one of them may follow, there are fewer than four.
-    if (around->crossing && cell.points.size() != 4 && !contact->is_on_border()) return false;
+    const bool may_be_cut = around->crossing && !around->degenerate && contact->is_on_border();
+    if (!may_be_cut && cell.points.size() != around->half_branches()) return false;
     std::array<bool, 4> taken{};
     for (const std::size_t i : cell.points) {
       const std::array<double, 4>& at = graph_.points[i].parameters;
-      const auto half = around->half_arc(at[0] - contact->rounded[0], at[1] - contact->rounded[1]);
+      const auto half =
+          around->half_arc(at[0] - contact->rounded[0], at[1] - contact->rounded[1], graph_.points[i].radius);
       if (!half || taken[*half]) return false;
       taken[*half] = true;
     }
@@ -261,9 +286,21 @@ class Subdivision {
     return true;
   }
 
+  /// True when the cell is in a box in which all half-branches of a contact are known, and the contact is not in the
+  /// cell: each of them is a graph, as an arc of a regular cell is.
+  bool is_beside_contact(const Cell& cell, const CellBox& box) {
+    if (!cell.points.empty() && cell.points.size() != 2) return false;
+    if (std::none_of(known_contacts_.begin(), known_contacts_.end(),
+                     [&](const KnownContact& known) { return known.explains(box) && !known.touches(box); }))
+      return false;
+    if (cell.points.size() == 2) graph_.arcs.push_back({cell.points[0], cell.points[1], box, {}, {}});
+    return true;
+  }
+
   /// One that is known, or found now. Each failure makes the next attempt wait for smaller parts, unless it is likely.
-  const SurfaceContact* contact_in(const CellBox& box, double widest, bool likely) {
-    const auto inside = [&](const SurfaceContact& contact) {
+  const KnownContact* contact_in(const CellBox& box, double widest, bool likely) {
+    const auto inside = [&](const KnownContact& known) {
+      const SurfaceContact& contact = known.contact;
       for (std::size_t k = 0; k < 4; ++k) {
         const double at = contact.rounded[k];
         const bool above = at > box.lower[k] || (contact.side(k) < 0 && box.lower[k] == 0);
@@ -272,19 +309,22 @@ class Subdivision {
       }
       return true;
     };
-    const auto known = [&]() -> const SurfaceContact* {
+    const auto known = [&]() -> const KnownContact* {
       const auto at = std::find_if(known_contacts_.begin(), known_contacts_.end(), inside);
       return at == known_contacts_.end() ? nullptr : &*at;
     };
-    if (const SurfaceContact* contact = known()) return contact;
+    if (const KnownContact* contact = known()) return contact;
+    if (std::any_of(known_contacts_.begin(), known_contacts_.end(),
+                    [&](const KnownContact& contact) { return contact.explains(box); }))
+      return nullptr;
     if (!likely && !(widest < look_for_contact_)) return nullptr;
     const auto found = contacts_->find(box);
-    const auto same = [&](const SurfaceContact& contact) { return contact.rounded == found->rounded; };
+    const auto same = [&](const KnownContact& known) { return known.contact.rounded == found->rounded; };
     if (!found || std::any_of(known_contacts_.begin(), known_contacts_.end(), same)) {
       if (!likely) look_for_contact_ *= 0.5;
       return nullptr;
     }
-    known_contacts_.push_back(*found);
+    known_contacts_.push_back({*found, contacts_->surroundings(*found)});
     return known();
   }
 
@@ -498,7 +538,7 @@ class Subdivision {
   ContactCurves* curves_;
   const BranchLimits& limits_;
   const Context& context_;
-  std::vector<SurfaceContact> known_contacts_;
+  std::vector<KnownContact> known_contacts_;
   double look_for_contact_ = 0.25;
   double look_for_curve_ = 0.25;
   SurfaceCell test_;

@@ -34,8 +34,8 @@ struct CellArc {
   std::optional<std::size_t> crossing;
 };
 
-/// A contact, all of the intersection in its box: a point of its own, or arcs that meet there, four unless it is on the
-/// border of the domain.
+/// A contact, all of the intersection in its box: a point of its own, or two or four arcs that end there, fewer where
+/// it is on the border of the domain.
 struct CellContact {
   SurfaceContact contact;
   ContactNeighbourhood around;
@@ -52,8 +52,8 @@ struct CellCrossing {
   std::size_t point = 0;
 };
 
-/// The intersection as a graph: crossing points of degree 1 (on the border) or 2, contacts of degree 0 or 4 (on the
-/// border 0 to 4), arcs between them. Curves of contact are no part of it.
+/// The intersection as a graph: crossing points of degree 1 (on the border) or 2, contacts of degree 0, 2 (cusps) or 4
+/// (on the border 0 to 4), arcs between them. Curves of contact are no part of it.
 struct BranchGraph {
   std::vector<CrossingPoint> points;
   std::vector<CellArc> arcs;

@@ -8,11 +8,11 @@
 
 namespace eliminant::bridge {
 
-/// A power series in x and y up to the total degree four.
-template <class Scalar>
+/// A power series in x and y up to the total degree `Highest`.
+template <class Scalar, std::size_t Highest = 4>
 class PlaneSeries {
  public:
-  static constexpr std::size_t highest = 4;
+  static constexpr std::size_t highest = Highest;
 
   PlaneSeries() { coefficients_.fill(Scalar(0)); }
   /// Of x^i y^j.
@@ -25,9 +25,9 @@ class PlaneSeries {
 
 /// Adds to `sum` the terms of total degree n of a b that come from terms of degree i >= least_a of a and n - i >=
 /// least_b of b.
-template <class Scalar>
-void add_product(const PlaneSeries<Scalar>& a, std::size_t least_a, const PlaneSeries<Scalar>& b, std::size_t least_b,
-                 std::size_t n, PlaneSeries<Scalar>& sum) {
+template <class Scalar, std::size_t Highest>
+void add_product(const PlaneSeries<Scalar, Highest>& a, std::size_t least_a, const PlaneSeries<Scalar, Highest>& b,
+                 std::size_t least_b, std::size_t n, PlaneSeries<Scalar, Highest>& sum) {
   for (std::size_t of_a = least_a; of_a + least_b <= n; ++of_a) {
     const std::size_t of_b = n - of_a;
     for (std::size_t i = 0; i <= of_a; ++i)
@@ -39,24 +39,24 @@ void add_product(const PlaneSeries<Scalar>& a, std::size_t least_a, const PlaneS
 }
 
 /// How one patch lies above another, as series in the parameters (x, y) of the first.
-template <class Scalar>
+template <class Scalar, std::size_t Highest = 4>
 struct HeightSeries {
   /// The difference h along the normal.
-  PlaneSeries<Scalar> height;
+  PlaneSeries<Scalar, Highest> height;
   /// The parameters of the second patch, relative to those at the origin.
-  std::array<PlaneSeries<Scalar>, 2> second;
+  std::array<PlaneSeries<Scalar, Highest>, 2> second;
 };
 
 /// The difference of two patches along a normal while the parameters of the second follow so that both other
 /// coordinates stay equal: ContactSeries for all directions at once. Coordinates are compared with weights multiplied
 /// crosswise; where `polynomial` all weights are taken as 1. The constant terms of both others are taken as equal, and
-/// that of h is 0. Terms up to the degree `order` <= 4.
-template <class Scalar>
-HeightSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const TaylorTable<Scalar>& second,
-                                   std::size_t order, bool polynomial) {
+/// that of h is 0. Terms up to the degree `order` <= Highest.
+template <std::size_t Highest = 4, class Scalar>
+HeightSeries<Scalar, Highest> height_series(const TaylorTable<Scalar>& first, const TaylorTable<Scalar>& second,
+                                            std::size_t order, bool polynomial) {
   constexpr std::size_t normal = 2;
   constexpr std::size_t weight = 3;
-  using Series = PlaneSeries<Scalar>;
+  using Series = PlaneSeries<Scalar, Highest>;
   const KeptCoordinates<Scalar> kept(first, second, normal);
   std::array<Series, 4> of_first;
   for (std::size_t k = 0; k < 4; ++k)
@@ -98,7 +98,7 @@ HeightSeries<Scalar> height_series(const TaylorTable<Scalar>& first, const Taylo
     return result;
   };
 
-  HeightSeries<Scalar> result;
+  HeightSeries<Scalar, Highest> result;
   for (std::size_t n = 1; n <= order; ++n) {
     raise_powers(n);
     if (!polynomial) compose(weight, n);

@@ -54,7 +54,8 @@ std::array<std::array<double, 2>, 2> asymptotic_directions(double uu, double uv,
 
 }  // namespace
 
-std::optional<std::size_t> ContactNeighbourhood::half_arc(double u, double v) const {
+std::optional<std::size_t> ContactNeighbourhood::half_arc(double u, double v, double radius) const {
+  if (degenerate) return degenerate->half_branch(u, v, radius);
   const auto& [p, q] = directions;
   const double determinant = p[0] * q[1] - p[1] * q[0];
   const double along_p = (u * q[1] - v * q[0]) / determinant;
@@ -67,6 +68,11 @@ std::optional<std::size_t> ContactNeighbourhood::half_arc(double u, double v) co
 }
 
 std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) const {
+  auto contact = find_simple(box);
+  return contact ? contact : find_degenerate(box);
+}
+
+std::optional<SurfaceContact> SurfaceContactProver::find_simple(const CellBox& box) const {
   PatchJets first(first_);
   PatchJets second(second_);
   Vector4d x;
@@ -77,6 +83,7 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
     reach = std::max(reach, box.upper[i] - box.lower[i]);
   }
   double last_step = INFINITY;
+  bool singular = false;
   constexpr int most_steps = 15;
   for (int step = 0; step < most_steps; ++step) {
     for (long k = 0; k < 4; ++k) {
@@ -84,7 +91,10 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
       if (!(x[k] > box.lower[i] - reach) || !(x[k] < box.upper[i] + reach)) return std::nullopt;
     }
     const ContactConditions conditions = contact_conditions(first, second, x);
-    const Vector4d change = conditions.jacobian.partialPivLu().solve(conditions.value);
+    const Eigen::PartialPivLU<Eigen::Matrix4d> factors(conditions.jacobian);
+    const Vector4d change = factors.solve(conditions.value);
+    constexpr double least_condition = 1e-6;
+    singular = !(factors.rcond() > least_condition);
     if (!change.allFinite()) return std::nullopt;
     x -= change;
     last_step = change.lpNorm<Eigen::Infinity>();
@@ -112,7 +122,35 @@ std::optional<SurfaceContact> SurfaceContactProver::find(const CellBox& box) con
   }
   if (!std::all_of(contact.parameters.begin(), contact.parameters.end(), is_in_domain)) return std::nullopt;
   for (std::size_t k = 0; k < 4; ++k) contact.rounded[k] = nearest(contact.parameters[k]);
+  if (singular && simple) classify(contact);
   return contact;
+}
+
+std::optional<SurfaceContact> SurfaceContactProver::find_degenerate(const CellBox& box) const {
+  for (const std::array<double, 4>& near : corank_one_contacts_near(first_, second_, box)) {
+    SurfaceContact contact;
+    bool simple = true;
+    for (std::size_t k = 0; k < 4 && simple; ++k) {
+      constexpr double accuracy = 1e-11;
+      constexpr double largest_denominator = 0x1p16;
+      const auto fraction = simple_fraction(near[k], accuracy, largest_denominator);
+      simple = fraction.has_value();
+      if (simple) contact.parameters[k] = *fraction;
+    }
+    if (!simple || !is_contact(contact.parameters)) continue;
+    for (std::size_t k = 0; k < 4; ++k) contact.rounded[k] = nearest(contact.parameters[k]);
+    classify(contact);
+    if (contact.corank_one != nullptr) return contact;
+  }
+  return std::nullopt;
+}
+
+void SurfaceContactProver::classify(SurfaceContact& contact) const {
+  auto kind = corank_one_contact(exact_first_, exact_second_, contact.parameters);
+  if (!kind) return;
+  auto patches =
+      CorankOnePatches::around(first_, second_, exact_first_, exact_second_, contact.parameters, *std::move(kind));
+  if (patches) contact.corank_one = std::make_shared<const CorankOnePatches>(*std::move(patches));
 }
 
 bool SurfaceContactProver::is_contact(const std::array<Rational, 4>& parameters) const {
@@ -140,6 +178,11 @@ bool SurfaceContactProver::is_contact(const std::array<Rational, 4>& parameters)
 
 std::optional<ContactNeighbourhood> SurfaceContactProver::neighbourhood(const SurfaceContact& contact,
                                                                         const CellBox& box) const {
+  if (contact.corank_one != nullptr) {
+    ContactNeighbourhood result;
+    result.degenerate = contact.corank_one->in_box(first_, box);
+    return result.degenerate ? std::optional(std::move(result)) : std::nullopt;
+  }
   const auto elimination = TangentialElimination::on(first_, second_, contact.rounded, box);
   if (!elimination) return std::nullopt;
   const Hessian& hessian = elimination->hessian;
@@ -173,6 +216,23 @@ std::optional<ContactNeighbourhood> SurfaceContactProver::neighbourhood(const Su
   }
   result.chord_error = 1.74 * error;
   return result;
+}
+
+std::optional<SurfaceContactProver::Surroundings> SurfaceContactProver::surroundings(
+    const SurfaceContact& contact) const {
+  if (contact.corank_one == nullptr) return std::nullopt;
+  constexpr double largest = 0x1p-2;
+  constexpr double smallest = 0x1p-14;
+  constexpr double smaller = 0.75;
+  for (double half = largest; half > smallest; half *= smaller) {
+    CellBox box;
+    for (std::size_t k = 0; k < 4; ++k) {
+      box.lower[k] = std::max(contact.rounded[k] - half, 0.0);
+      box.upper[k] = std::min(contact.rounded[k] + half, 1.0);
+    }
+    if (auto around = neighbourhood(contact, box)) return Surroundings{box, *std::move(around)};
+  }
+  return std::nullopt;
 }
 
 }  // namespace eliminant::bridge

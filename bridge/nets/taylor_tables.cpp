@@ -166,6 +166,8 @@ TaylorTable<double> taylor_close_to(const ControlNet& net, const std::array<doub
   return table;
 }
 
+}  // namespace
+
 DoubleInterval enclosed(const Rational& value) {
   constexpr long bits = 64;
   const RealBall ball(value, bits);
@@ -175,8 +177,6 @@ DoubleInterval enclosed(const Rational& value) {
   arb_get_ubound_arf(arb_midref(end.get()), ball.get(), bits);
   return {lower, arf_get_d(arb_midref(end.get()), ARF_RND_CEIL)};
 }
-
-}  // namespace
 
 TaylorTable<DoubleInterval> taylor_on_box(const ControlNet& net, const ContactFrame& frame, const OpenBox& box,
                                           std::size_t first, std::size_t order) {

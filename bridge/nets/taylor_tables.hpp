@@ -33,6 +33,9 @@ TaylorTable<double> taylor_near(const ControlNet& net, double a, double b, std::
 TaylorTable<symbolic::Rational> taylor_at(const ExactNet& net, const std::array<symbolic::Rational, 2>& at,
                                           std::size_t order);
 
+/// The doubles around a rational number.
+DoubleInterval enclosed(const symbolic::Rational& value);
+
 /// Exact coefficients at a common point, moved there and in a frame, with the weights of the net in doubles.
 TaylorTable<DoubleInterval> enclosed(const TaylorTable<symbolic::Rational>& exact, const ControlNet& net,
                                      const ContactFrame& frame);

@@ -60,7 +60,7 @@ class Walk {
 
   const bridge::BranchGraph& graph_;
   std::vector<std::vector<std::size_t>> arcs_at_;
-  /// Contacts, and points at which a branch crosses a curve of contact.
+  /// Contacts (also cusps, with two arcs), and points at which a branch crosses a curve of contact.
   std::vector<bool> ends_here_;
   std::vector<bool> done_;
   std::vector<BranchChain> chains_;

@@ -13,6 +13,7 @@
 #include <eliminant/bridge/branches/patch_border_points.hpp>
 #include <eliminant/bridge/branches/zoomed_tracing.hpp>
 #include <eliminant/bridge/contacts/contact_curves.hpp>
+#include <eliminant/bridge/contacts/corank_one_tracing.hpp>
 #include <eliminant/bridge/contacts/crossing_tracing.hpp>
 #include <eliminant/bridge/contacts/surface_contact.hpp>
 #include <eliminant/bridge/rounding/rational_double.hpp>
@@ -228,7 +229,9 @@ class PatchPair {
     point.at = pair_.placed(contact.contact.rounded);
     point.radius = 0x1p-50;
     point.half_branches = half_branches_at(index);
-    point.kind = point.half_branches > 0 ? SurfaceSingularity::crossing : SurfaceSingularity::contact;
+    point.kind = point.half_branches == 0  ? SurfaceSingularity::contact
+                 : contact.around.crossing ? SurfaceSingularity::crossing
+                                           : SurfaceSingularity::cusp;
     point.certified = true;
     result_.singular_points.push_back(point);
     // Of a crossing on the border of the domain all arcs may be outside: a point of its own.
@@ -369,7 +372,11 @@ class PatchPair {
 
   bridge::TracedArc traced_arc(bridge::ArcTracer& tracer, const bridge::CellArc& arc) const {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
-    if (arc.contact) return bridge::trace_to_contact(nets_, from, graph_.contacts[*arc.contact], tolerance_, context_);
+    if (arc.contact) {
+      const bridge::CellContact& contact = graph_.contacts[*arc.contact];
+      return contact.around.degenerate ? bridge::trace_to_corank_one(first_net_, from, contact, tolerance_, context_)
+                                       : bridge::trace_to_contact(nets_, from, contact, tolerance_, context_);
+    }
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
       return bridge::trace_to_crossing(curves_->curves()[crossing.curve], from, crossing, tolerance_, context_);

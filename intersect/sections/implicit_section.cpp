@@ -10,8 +10,8 @@
 
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/patches/branch_joining.hpp>
-#include <eliminant/intersect/sections/collapsed_points.hpp>
 #include <eliminant/intersect/patches/surface_summary.hpp>
+#include <eliminant/intersect/sections/collapsed_points.hpp>
 #include <eliminant/intersect/sections/section_factors.hpp>
 #include <eliminant/intersect/sections/section_patch.hpp>
 #include <eliminant/intersect/whole_surfaces/projective_charts.hpp>

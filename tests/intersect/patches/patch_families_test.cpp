@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -175,12 +174,6 @@ bool says_why(const SurfaceResult& result) {
          std::any_of(result.singular_points.begin(), result.singular_points.end(), open);
 }
 
-/// Families of which the engine does not prove every case.
-bool may_stay_open(const std::string& family) {
-  static const std::set<std::string> families{"cusp"};
-  return families.contains(family);
-}
-
 /// What must hold of a proven result. `truth` is in the parameters of the first patch.
 void check_proven(const SurfaceResult& result, const PatchCase& patches, const PatchCounts& expected,
                   const std::vector<TrueComponent>& truth) {
@@ -199,11 +192,11 @@ void check_proven(const SurfaceResult& result, const PatchCase& patches, const P
 }
 
 /// True where it is proven. Nothing is left open in silence.
-bool is_proven(const SurfaceResult& result, const std::string& family) {
+bool is_proven(const SurfaceResult& result) {
   if (result.status == Status::certified) return true;
   CHECK(result.status == Status::numeric);
   CHECK(says_why(result));
-  CHECK(may_stay_open(family));
+  CHECK_MESSAGE(false, "not proven");
   return false;
 }
 
@@ -211,7 +204,7 @@ void check_invariance(const PatchCase& patches, const SurfaceResult& answer) {
   const auto same = [&](const std::string& change, const PatchCase& changed) {
     const SurfaceResult result = solve(changed);
     INFO(change, ": ", summary(result));
-    if (is_proven(result, patches.family)) CHECK(counts_of(result) == counts_of(answer));
+    if (is_proven(result)) CHECK(counts_of(result) == counts_of(answer));
   };
   const auto changed = [&](const auto& first, const auto& second) {
     PatchCase result = patches;
@@ -291,7 +284,7 @@ TEST_CASE("Patch families: numbers, proofs and places of all components") {
     INFO(patches.family, " ", patches.index, ": ", test::problem_json(patches));
     const SurfaceResult answer = solve(patches);
     INFO(summary(answer));
-    const bool proven = is_proven(answer, patches.family);
+    const bool proven = is_proven(answer);
     tally.add(patches.family, proven);
     if (!proven) continue;
     const TrueIntersection truth = test::true_intersection(patches);
@@ -318,7 +311,7 @@ TEST_CASE("Patch families: double curves of one patch, and embedded patches") {
     INFO(patches.family, " ", patches.index, ": ", test::problem_json(patches));
     const SurfaceResult result = solve(patches);
     INFO(summary(result));
-    const bool proven = is_proven(result, patches.family);
+    const bool proven = is_proven(result);
     tally.add(patches.family, proven);
     if (!proven) continue;
     TrueIntersection truth = test::true_self_intersection(patch);
