@@ -138,6 +138,38 @@ TEST_CASE("Joined branches: ends without a continuation, or with several, are un
   for (const SurfaceComponent& curve : two.components) CHECK_FALSE(curve.certified);
 }
 
+TEST_CASE(
+    "Joined branches: three or more ends in a common corner of pieces are a crossing, one at a contact ends there") {
+  const Parameters at{1, 0.5, 0.5, 0.5};
+  std::vector<SurfaceComponent> pieces;
+  for (const double u : {0.0, 2.0})
+    for (const double v : {0.25, 0.75})
+      pieces.push_back(
+          piece({{u, v, 0.25, 0.5}, at}, u < 1 ? lower_u : upper_u, {u < 1 ? 1 : -1, v < 0.5 ? 1 : -1, 0, 0}));
+  const SurfaceResult four = joined(pieces);
+  REQUIRE(four.singular_points.size() == 1);
+  CHECK(four.singular_points[0].kind == SurfaceSingularity::crossing);
+  CHECK(four.singular_points[0].half_branches == 4);
+  CHECK(four.singular_points[0].certified);
+  CHECK(four.counts.curves == 4);
+  pieces.resize(2);
+  CHECK(joined(pieces).singular_points.empty());
+
+  SurfaceResult contact;
+  contact.status = Status::certified;
+  contact.components = {left};
+  SurfaceSingularPoint point;
+  point.kind = SurfaceSingularity::contact;
+  point.at = left.points.back();
+  point.certified = true;
+  contact.singular_points = {point};
+  join_branches(contact, bounds);
+  REQUIRE(contact.components.size() == 1);
+  CHECK(contact.components[0].certified);
+  CHECK(contact.components[0].end.singular_point == 0U);
+  CHECK(contact.singular_points[0].half_branches == 1);
+}
+
 TEST_CASE("Joined branches: a curve along a seam, found from both sides, is one with its own ends") {
   const SurfaceComponent from_left = piece({{1, 0, 0.5, 0.5}, {1, 1, 0.75, 0.5}}, {1, -1, 0, 0}, {1, 1, 0, 0});
   const SurfaceComponent from_right =
