@@ -474,8 +474,9 @@ class PatchPair {
     const bridge::PatchPairNets nets{first_net_, second_net_, first_.exact, second_.exact, origin_};
     if (arc.contact) {
       const bridge::CellContact& contact = graph_.contacts[*arc.contact];
-      return contact.around.degenerate ? bridge::trace_to_corank_one(first_net_, from, contact, tolerance_, context_)
-                                       : bridge::trace_to_contact(nets, from, contact, tolerance_, context_);
+      return contact.around.degenerate
+                 ? bridge::trace_to_corank_one(first_net_, second_net_, from, contact, tolerance_, context_)
+                 : bridge::trace_to_contact(nets, from, contact, tolerance_, context_);
     }
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;
