@@ -107,6 +107,7 @@ BENCHMARK_CAPTURE(pairs, disjoint, Families{"gap of 1e-1", "gap of 1e-2", "gap o
 BENCHMARK_CAPTURE(pairs, contact_in_a_point, Families{"contact in a point", "crossing contact"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pairs, contact_along_a_curve, Families{"contact along a curve"})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pairs, cusp, Families{"cusp"})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(alone, double_curves,
                   Families{"double curve from edge to edge", "double curve with pinch points", "closed double curve",
                            "triple point"})

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include <eliminant/bridge/branches/patch_difference.hpp>
 #include <eliminant/bridge/contacts/corank_one_branches.hpp>
 #include <eliminant/bridge/nets/patch_jets.hpp>
 
@@ -56,7 +57,10 @@ std::optional<CorankOneBranches> nearer(const ControlNet& first, const CorankOne
   box.lower[1 - of_x] -= across;
   box.upper[1 - of_x] += across;
   auto result = patches.in_box(first, box);
-  if (!result || result->sides[point.x > 0 ? 0 : 1] == false) return std::nullopt;
+  if (!result || !result->sides[point.x > 0 ? 0 : 1]) return std::nullopt;
+  // The function (s, t) there is the one around.
+  for (std::size_t k = 0; k < 2; ++k)
+    if (!(result->second_reach[k] <= branches.second_reach[k])) return std::nullopt;
   return result;
 }
 
@@ -70,16 +74,19 @@ double step_from(const CorankOneBranches& branches, double x, double tolerance) 
 
 }  // namespace
 
-TracedArc trace_to_corank_one(const ControlNet& first, const CrossingPoint& from, const CellContact& contact,
-                              double tolerance, const Context& context) {
+TracedArc trace_to_corank_one(const ControlNet& first, const ControlNet& second, const CrossingPoint& from,
+                              const CellContact& contact, double tolerance, const Context& context) {
   TracedArc arc;
   if (!contact.around.degenerate || contact.contact.corank_one == nullptr) return arc;
   CorankOneBranches branches = *contact.around.degenerate;
   const CorankOnePatches& patches = *contact.contact.corank_one;
   const auto order = static_cast<double>(branches.contact.order);
   PatchJets jets(first);
+  // Where ArcTracer ends the arc before it.
+  const auto& at = from.parameters;
+  const Eigen::Vector4d begin = PatchDifference(first, second).newton({at[0], at[1], at[2], at[3]}).x;
   std::array<double, 4> away{};
-  for (std::size_t k = 0; k < 4; ++k) away[k] = from.parameters[k] - contact.contact.rounded[k];
+  for (std::size_t k = 0; k < 4; ++k) away[k] = begin[static_cast<long>(k)] - contact.contact.rounded[k];
   const auto [x, z] = branches.coordinates_of(away[0], away[1]);
   std::optional<Point> here = patches.point(branches, {x, z, {away[2], away[3]}, 0});
   double last_error = 0;

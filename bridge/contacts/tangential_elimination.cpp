@@ -113,10 +113,14 @@ std::optional<TangentialElimination> TangentialElimination::on(const ControlNet&
   // A box for (s, t) that holds the cell and all values of that function.
   const double extent_u = a.value[0].magnitude();
   const double extent_v = a.value[1].magnitude();
+  // With a contraction of 0.3 in the larger of both coordinates.
+  const double mixed = 0.44 * std::max(extent_u, extent_v);
   OpenBox of_second{};
   for (std::size_t k = 0; k < 2; ++k) {
     const auto row = static_cast<long>(k);
-    const double half = 1.6 * (std::fabs(inverse(row, 0)) * extent_u + std::fabs(inverse(row, 1)) * extent_v);
+    constexpr double room = 1.1;
+    const double half =
+        room * (std::fabs(inverse(row, 0)) * (extent_u + mixed) + std::fabs(inverse(row, 1)) * (extent_v + mixed));
     of_second.lower[k] = std::min(box.lower[2 + k], centre[2 + k] - half);
     of_second.upper[k] = std::max(box.upper[2 + k], centre[2 + k] + half);
     // Control points tell little far beyond the domain.

@@ -374,8 +374,9 @@ class PatchPair {
     const bridge::CrossingPoint& from = graph_.points[arc.from];
     if (arc.contact) {
       const bridge::CellContact& contact = graph_.contacts[*arc.contact];
-      return contact.around.degenerate ? bridge::trace_to_corank_one(nets_.first, from, contact, tolerance_, context_)
-                                       : bridge::trace_to_contact(nets_, from, contact, tolerance_, context_);
+      return contact.around.degenerate
+                 ? bridge::trace_to_corank_one(nets_.first, nets_.second, from, contact, tolerance_, context_)
+                 : bridge::trace_to_contact(nets_, from, contact, tolerance_, context_);
     }
     if (arc.crossing) {
       const bridge::ContactCurves::Crossing& crossing = graph_.crossings[*arc.crossing].crossing;

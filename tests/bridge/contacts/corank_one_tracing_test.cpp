@@ -32,7 +32,7 @@ TEST_CASE("Corank one tracing: half-branches reach the contact within the tolera
       const double x = 0.05;
       CrossingPoint from;
       from.parameters = {0.5 + x, 0.5 - std::pow(x, power), 0.5 + x, 0.5 - std::pow(x, power)};
-      const TracedArc arc = trace_to_corank_one(nets.first, from, contact, tolerance, Context());
+      const TracedArc arc = trace_to_corank_one(nets.first, nets.second, from, contact, tolerance, Context());
       CHECK(arc.proven);
       CHECK(arc.error <= tolerance);
       REQUIRE(arc.points.size() > 2);
