@@ -140,8 +140,8 @@ class Tracing {
 
   /// Where no step is proven any more: to the goal by whatever bound there is.
   SectionArc give_up(const Vector2d& rest) {
-    // Far away an arc to infinity may be left earlier.
-    if (goal_.kind == SectionEnd::infinity && here_.distance_from_origin() > 5 * reach_ &&
+    // An arc to infinity may be left earlier.
+    if (goal_.kind == SectionEnd::infinity && here_.distance_from_origin() > 1.5 * reach_ &&
         rest.norm() < 3 * near_infinity)
       return finish(0);
     if (goal_.kind != SectionEnd::node && goal_.kind != SectionEnd::singular) return arc_;

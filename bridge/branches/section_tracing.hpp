@@ -64,7 +64,7 @@ class SectionTracer {
 
   /// From a point of an arc to where it ends. `tolerance` is the distance allowed
   /// in space; points farther from the origin than `reach` need it only relative to their distance, and an arc to
-  /// infinity is left beyond 100 times `reach`, beyond 5 times where doubles do not prove more.
+  /// infinity is left beyond 100 times `reach`, beyond 1.5 times where doubles do not prove more.
   SectionArc trace(const SectionSeed& seed, const SectionGoal& goal, double tolerance, double reach,
                    const Context& context) const;
 
