@@ -2,6 +2,7 @@
 #include <eliminant/intersect/patches/surface_surface.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -81,6 +82,7 @@ enum class Wanted { everything, proof };
 /// none.
 SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricSurface& second, const Options& options,
                                const Context& context, Wanted wanted = Wanted::everything) {
+  const auto start = std::chrono::steady_clock::now();
   SurfaceResult result;
   result.status = Status::certified;
   const std::vector<ProjectiveChart> charts = charts_to_intersect(first, 0, result);
@@ -96,6 +98,7 @@ SurfaceResult intersect_charts(const ParametricSurface& first, const ParametricS
   remove_borders_of_overlaps(result, bounds);
   join_branches(result, bounds);
   summarise(result);
+  result.seconds = {{"total", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
   return result;
 }
 
