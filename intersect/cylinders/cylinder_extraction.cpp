@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <eliminant/intersect/cylinders/cylinder_search.hpp>
 
@@ -83,7 +84,8 @@ class Extraction {
   }
 
   CylinderExtractionResult run(const Context& context) {
-    CylinderSearch search(points_, settings_);
+    const std::vector<Point> distinct = distinct_points();
+    CylinderSearch search(distinct, settings_);
     try {
       search.run(context);
     } catch (const LimitReached& limit) {
@@ -95,6 +97,7 @@ class Extraction {
     merge_pieces();
     label_points();
     refine();
+    choose_points();
     list_cylinders();
     result_.confidence = search.confidence();
     result_.counts.samples = search.samples();
@@ -114,6 +117,20 @@ class Extraction {
   void mark(const char* stage) {
     result_.seconds.emplace_back(stage, seconds_since(stage_));
     stage_ = Clock::now();
+  }
+
+  // In the order of their first copies. Copies say nothing of a surface; many of few points look like one.
+  std::vector<Point> distinct_points() {
+    std::vector<std::uint32_t> order(points_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return std::tie(points_[a], a) < std::tie(points_[b], b); });
+    is_copy_.assign(points_.size(), false);
+    for (std::size_t k = 1; k < order.size(); ++k) is_copy_[order[k]] = points_[order[k]] == points_[order[k - 1]];
+    std::vector<Point> result;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (!is_copy_[i]) result.push_back(points_[i]);
+    return result;
   }
 
   // Checks the problem, chooses what it leaves open, moves the points around the origin and takes them in the unit.
@@ -224,8 +241,31 @@ class Extraction {
       std::vector<Point> all;
       for (const std::uint32_t i : segment.inliers) all.push_back(points_[i]);
       segment.cylinder = numeric::fit_cylinder(undisturbed(all, segment), segment.cylinder);
-      segment.rms = numeric::rms_distance(all, segment.cylinder);
       measure(segment, all);
+    }
+  }
+
+  // The last fit moves a cylinder, and its points with it. What has too few then, as happens in noise, is none.
+  void choose_points() {
+    for (bool all_stay = false; !all_stay;) {
+      label_points();
+      std::vector<std::size_t> distinct(segments_.size(), 0);
+      for (CylinderSegment& segment : segments_) segment.inliers.clear();
+      for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (result_.labels[i] < 0) continue;
+        const auto n = static_cast<std::size_t>(result_.labels[i]);
+        segments_[n].inliers.push_back(static_cast<std::uint32_t>(i));
+        if (!is_copy_[i]) ++distinct[n];
+      }
+      const auto fewest = std::min_element(distinct.begin(), distinct.end());
+      all_stay = distinct.empty() || *fewest >= settings_.criteria.min_inliers;
+      if (!all_stay) segments_.erase(segments_.begin() + (fewest - distinct.begin()));
+    }
+    for (CylinderSegment& segment : segments_) {
+      std::vector<Point> on;
+      for (const std::uint32_t i : segment.inliers) on.push_back(points_[i]);
+      segment.rms = numeric::rms_distance(on, segment.cylinder);
+      measure(segment, on);
     }
   }
 
@@ -295,6 +335,8 @@ class Extraction {
   // The search takes lengths in this unit, a power of two near the distance, so that no scale is special.
   double unit_ = 1;
   std::vector<Point> points_;
+  // Of a point before it.
+  std::vector<bool> is_copy_;
   CylinderSearchSettings settings_;
   std::vector<CylinderSegment> segments_;
   CylinderExtractionResult result_;

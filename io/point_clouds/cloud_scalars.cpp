@@ -114,10 +114,9 @@ std::vector<std::string_view> words_of(std::string_view line) {
 
 bool LineReader::next(std::string_view& line) {
   if (offset_ >= text_.size()) return false;
-  const std::size_t end = std::min(text_.find('\n', offset_), text_.size());
+  const std::size_t end = std::min(text_.find_first_of("\r\n", offset_), text_.size());
   line = text_.substr(offset_, end - offset_);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  offset_ = end + 1;
+  offset_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
   ++number_;
   return true;
 }

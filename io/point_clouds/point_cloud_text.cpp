@@ -40,7 +40,12 @@ class TextCloud {
         if (is_heading(line)) continue;
       }
       cloud.add(point(line));
+      ++rows_;
     }
+    if (count_ && *count_ != rows_)
+      throw InvalidInput("the first line says " + std::to_string(*count_) + " points, and " + std::to_string(rows_) +
+                             (rows_ == 1 ? " follows" : " follow"),
+                         "as many lines as points, or no first line with their number");
     if (first_) throw InvalidInput("there are no points in it", "a point cloud: XYZ, CSV, PLY or PCD");
     return cloud;
   }
@@ -71,9 +76,15 @@ class TextCloud {
   // Names of columns, or the number of points.
   bool is_heading(std::string_view line) {
     const std::vector<std::string_view> words = fields(line);
-    if (words.size() == 1 && count_in(words[0])) return true;
+    if (words.size() == 1 && (count_ = count_in(words[0]))) return true;
     if (std::any_of(words.begin(), words.end(), [](std::string_view word) { return double_in(word).has_value(); }))
       return false;
+    const auto begins_as_number = [](std::string_view word) {
+      const std::size_t at = word.find_first_not_of("+-.");
+      return at != std::string_view::npos && at < 3 && word[at] >= '0' && word[at] <= '9';
+    };
+    if (std::all_of(words.begin(), words.end(), begins_as_number))
+      refuse("there is no number: " + quoted_word(words[0]), "a decimal number of the size of a double");
     for (std::size_t k = 0; k < 3; ++k) {
       const auto is_axis = [&](std::string_view word) {
         return word.size() == 1 && (word[0] | 0x20) == axis_names[k][0];
@@ -106,6 +117,9 @@ class TextCloud {
 
   LineReader lines_;
   bool first_ = true;
+  /// As the first line says.
+  std::optional<std::size_t> count_;
+  std::size_t rows_ = 0;
   char separator_ = ' ';
   std::array<std::size_t, 3> columns_{0, 1, 2};
 };

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <eliminant/base/error.hpp>
@@ -210,6 +211,63 @@ TEST_CASE("extract_cylinders: radii outside the range, and too few points, are n
   problem.max_radius.reset();
   problem.min_radius = 1.1;
   CHECK(extract_cylinders(problem, {}, Context()).cylinders.empty());
+}
+
+TEST_CASE("extract_cylinders: inliers and residual are those of the cylinder printed, in noise too") {
+  CylinderExtractionProblem problem;
+  problem.distance = 0.01;
+  problem.min_inliers = 10;
+  eliminant::numeric::SplitMix64 random(3);
+  for (int i = 0; i < 1000; ++i) problem.points.push_back({random.uniform(), random.uniform(), random.uniform()});
+  const CylinderExtractionResult result = extract_cylinders(problem, {}, Context());
+  REQUIRE_FALSE(result.cylinders.empty());
+  for (std::size_t n = 0; n < result.cylinders.size(); ++n) {
+    const ExtractedCylinder& cylinder = result.cylinders[n];
+    std::size_t count = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      if (result.labels[i] != static_cast<std::int32_t>(n)) continue;
+      double height = 0;
+      double square = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double apart = problem.points[i][k] - cylinder.axis_point[k];
+        height += apart * cylinder.direction[k];
+        square += apart * apart;
+      }
+      const double residual = std::sqrt(square - height * height) - cylinder.radius;
+      CHECK(std::fabs(residual) <= problem.distance * (1 + 1e-9));
+      CHECK(std::fabs(height) <= cylinder.length / 2 * (1 + 1e-9));
+      squares += residual * residual;
+      ++count;
+    }
+    CHECK(count == cylinder.inliers);
+    CHECK(count >= 10);
+    CHECK(cylinder.residual == doctest::Approx(std::sqrt(squares / static_cast<double>(count))));
+  }
+}
+
+TEST_CASE("extract_cylinders: copies of points are no evidence, and are labelled like them") {
+  CylinderExtractionProblem noise;
+  noise.distance = 0.01;
+  eliminant::numeric::SplitMix64 random(5);
+  for (int i = 0; i < 300; ++i) {
+    const std::array<double, 3> point{random.uniform(), random.uniform(), random.uniform()};
+    noise.points.insert(noise.points.end(), 5, point);
+  }
+  CHECK(extract_cylinders(noise, {}, Context()).cylinders.empty());
+
+  const PipeScene scene = pipe_scene(small_scene(2, 52));
+  const CylinderExtractionResult once = extract(scene);
+  PipeScene twice = scene;
+  twice.points.insert(twice.points.end(), scene.points.begin(), scene.points.end());
+  const CylinderExtractionResult result = extract(twice);
+  REQUIRE(result.cylinders.size() == once.cylinders.size());
+  for (std::size_t n = 0; n < once.cylinders.size(); ++n)
+    CHECK(result.cylinders[n].inliers == 2 * once.cylinders[n].inliers);
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    CHECK(result.labels[i] == once.labels[i]);
+    CHECK(result.labels[i + scene.points.size()] == once.labels[i]);
+  }
 }
 
 TEST_CASE("extract_cylinders: clouds of no, few, equal and collinear points have no cylinders") {

@@ -112,9 +112,9 @@ TEST_CASE("Border contacts: a border through an undecided contact is not certifi
 
 TEST_CASE("Border contacts: points of their own on a side and in a corner of the domain") {
   const Sides plane_sides{symbolic::Interval{-1, 2}, symbolic::Interval{-1, 2}};
-  for (const std::string& height : {"u^2 + (v - 1/3)^2", "u^2 + v^2", "(u - 1)^2 + (v - 1)^2 + (u - 1)*(v - 1)",
-                                    // Both arcs are outside of the domain.
-                                    "(u + v)*(u + 2*v)"}) {
+  for (const std::string height : {"u^2 + (v - 1/3)^2", "u^2 + v^2", "(u - 1)^2 + (v - 1)^2 + (u - 1)*(v - 1)",
+                                   // Both arcs are outside of the domain.
+                                   "(u + v)*(u + 2*v)"}) {
     CAPTURE(height);
     const SurfaceResult result = solved({"u", "v", height}, {"u", "v", "0"}, plane_sides);
     CHECK(summary(result) == "0 0 1 0 1 certified");

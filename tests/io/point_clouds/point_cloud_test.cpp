@@ -70,10 +70,11 @@ std::string pcd_header(const std::string& data, const std::string& points) {
 
 }  // namespace
 
-TEST_CASE("XYZ: blanks, tabs, comments, a count, further columns, both ends of line") {
+TEST_CASE("XYZ: blanks, tabs, comments, a count, further columns, all ends of line") {
   CHECK(points_of("1 2 3\n-4.5 0 1e-3\n") == two);
   CHECK(points_of("  1\t2 3 0.5 0.5\r\n\r\n# a comment\n// another\n-4.50 +0 .001") == two);
   CHECK(points_of("2\n1 2 3\n-4.5 0 1e-3\n") == two);
+  CHECK(points_of("2\r1 2 3\r# a comment\r-4.5 0 1e-3\r") == two);
 }
 
 TEST_CASE("CSV: commas, semicolons, names of columns in any order, quotes, a byte order mark") {
@@ -93,6 +94,8 @@ TEST_CASE("XYZ and CSV: what is wrong is named with its line") {
   CHECK(refused("1 2 3\n1 2\n", "line 2: there are only 2 fields, z is missing"));
   CHECK(refused("1 2 3\n\n1 two 3\n", "line 3: y is 'two'"));
   CHECK(refused("1,2,3\n1,,3\n", "line 2: y is ''"));
+  CHECK(refused("3\n1 2 3\n4 5 6\n", "the first line says 3 points, and 2 follow"));
+  CHECK(refused("0x1.8p1 0x2p0 0x3p0\n", "line 1: there is no number: '0x1.8p1'"));
   CHECK(refused("1 2 1e999\n", "line 1: z is '1e999'"));
   CHECK(refused("x,y,intensity\n1,2,3\n", "line 1: there is no column z"));
   CHECK(refused("", "no points"));
