@@ -112,7 +112,7 @@ TEST_CASE("Border contacts: a border through an undecided contact is not certifi
 
 TEST_CASE("Border contacts: points of their own on a side and in a corner of the domain") {
   const Sides plane_sides{symbolic::Interval{-1, 2}, symbolic::Interval{-1, 2}};
-  for (const std::string height : {"u^2 + (v - 1/3)^2", "u^2 + v^2", "(u - 1)^2 + (v - 1)^2 + (u - 1)*(v - 1)",
+  for (const char* const height : {"u^2 + (v - 1/3)^2", "u^2 + v^2", "(u - 1)^2 + (v - 1)^2 + (u - 1)*(v - 1)",
                                    // Both arcs are outside of the domain.
                                    "(u + v)*(u + 2*v)"}) {
     CAPTURE(height);
@@ -178,10 +178,10 @@ TEST_CASE("Seams: pieces of smoothly joined surfaces that meet in a corner alone
   const symbolic::Interval left{0, Rational(1) / Rational(2)};
   const symbolic::Interval right{Rational(1) / Rational(2), 1};
   const symbolic::Interval unit{0, 1};
-  for (const std::string& slope : {"v/3", "-v/3", "v^2"}) {
+  for (const char* const slope : {"v/3", "-v/3", "v^2"}) {
     CAPTURE(slope);
     const PatchText upper{"u", "v", "u - 3*u^2 + 2*u^3 + v/3"};
-    const PatchText lower{"u", "-v", "u - 3*u^2 + 2*u^3 + " + slope};
+    const PatchText lower{"u", "-v", std::string("u - 3*u^2 + 2*u^3 + ") + slope};
     const SurfaceResult result = solved({{patch(upper, {left, unit}), patch(upper, {right, unit})}},
                                         {{patch(lower, {left, unit}), patch(lower, {right, unit})}});
     CHECK(summary(result) == "1 0 0 0 0 certified");
