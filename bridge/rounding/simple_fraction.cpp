@@ -11,6 +11,7 @@ using symbolic::Rational;
 std::optional<Rational> simple_fraction(double value, double accuracy, double largest_denominator) {
   constexpr double largest_power_of_two = 0x1p20;
   const double scaled = value * largest_power_of_two;
+  if (!(std::fabs(scaled) < 0x1p62)) return std::nullopt;
   if (std::fabs(scaled - std::round(scaled)) <= accuracy * largest_power_of_two)
     return Rational(std::lround(scaled)) / Rational(static_cast<long>(largest_power_of_two));
   double p0 = 0;

@@ -10,6 +10,7 @@
 
 #include <eliminant/intersect/patches/seam_curves.hpp>
 #include <eliminant/intersect/patches/singular_joining.hpp>
+#include <eliminant/intersect/patches/space_polyline.hpp>
 
 namespace eliminant::intersect {
 
@@ -58,25 +59,6 @@ bool is_only_seam(BranchEnd& end, const Parameters& at, const DomainBounds& boun
     left = left || (border && !kept[k]);
   }
   return any && !left;
-}
-
-double distance_in_space(const SurfaceComponent& component, const std::array<double, 3>& at) {
-  double result = INFINITY;
-  for (std::size_t i = 0; i + 1 < component.points.size(); ++i) {
-    const std::array<double, 3>& a = component.points[i].point;
-    const std::array<double, 3>& b = component.points[i + 1].point;
-    double dot = 0;
-    double square = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      dot += (at[k] - a[k]) * (b[k] - a[k]);
-      square += (b[k] - a[k]) * (b[k] - a[k]);
-    }
-    const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
-    double distance = 0;
-    for (std::size_t k = 0; k < 3; ++k) distance = std::hypot(distance, at[k] - a[k] - place * (b[k] - a[k]));
-    result = std::min(result, distance);
-  }
-  return result;
 }
 
 class Joining {

@@ -8,28 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include <eliminant/intersect/patches/space_polyline.hpp>
+
 namespace eliminant::intersect {
 
 namespace {
 
-using Point = std::array<double, 3>;
-
 std::size_t count_points(const SurfaceResult& result) {
   return std::accumulate(result.components.begin(), result.components.end(), std::size_t{0},
                          [](std::size_t sum, const SurfaceComponent& c) { return sum + c.points.size(); });
-}
-
-double distance_from_segment(const Point& a, const Point& b, const Point& at) {
-  double dot = 0;
-  double square = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    dot += (at[k] - a[k]) * (b[k] - a[k]);
-    square += (b[k] - a[k]) * (b[k] - a[k]);
-  }
-  const double place = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
-  double distance = 0;
-  for (std::size_t k = 0; k < 3; ++k) distance = std::hypot(distance, at[k] - std::lerp(a[k], b[k], place));
-  return distance;
 }
 
 /// Two segments are replaced by one, all points of which are as near to them: the nearest points of the chord run

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include <eliminant/intersect/sections/space_form.hpp>
+#include <eliminant/intersect/patches/space_polyline.hpp>
+#include <eliminant/intersect/sections/germ_in_space.hpp>
 #include <eliminant/symbolic/elimination/rational_inversion.hpp>
 
 namespace eliminant::intersect {
@@ -19,6 +20,8 @@ namespace {
 using symbolic::Polynomial;
 
 constexpr double same_within = 1e-9;
+/// Equations of surfaces of higher degree are not looked for.
+constexpr unsigned long largest_equation_degree = 8;
 
 bool is_same_parameter(double a, double b) {
   if (a == b || (std::isnan(a) && std::isnan(b))) return true;
@@ -65,63 +68,41 @@ void remove_singular_points(SurfaceResult& result, const std::vector<bool>& remo
       if (end->singular_point) end->singular_point = index[*end->singular_point];
 }
 
-/// Two surfaces by their equations.
-class TransversalPair {
- public:
-  TransversalPair(const Polynomial& first, const Polynomial& second) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      gradients_[0].emplace_back(first.derivative(k));
-      gradients_[1].emplace_back(second.derivative(k));
-    }
-  }
+/// The point of the segment at this part of its length.
+std::array<double, 3> on_segment(const std::array<double, 3>& from, const std::array<double, 3>& to, double part) {
+  std::array<double, 3> result{};
+  for (std::size_t k = 0; k < 3; ++k) result[k] = from[k] + part * (to[k] - from[k]);
+  return result;
+}
 
-  /// The coordinate over which the intersection is a graph, with the least slopes, in a box around a point of it;
-  /// nullopt where none is proven.
-  std::optional<std::size_t> graph_coordinate(const std::array<double, 3>& point, double radius) const {
-    std::array<DoubleInterval, 3> box;
-    for (std::size_t k = 0; k < 3; ++k) box[k] = DoubleInterval::around(point[k], radius);
-    std::array<std::array<DoubleInterval, 3>, 2> at;
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t k = 0; k < 3; ++k) at[i][k] = gradients_[i][k].at(box).value;
-    std::optional<std::size_t> best;
-    double largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t a = (k + 1) % 3;
-      const std::size_t b = (k + 2) % 3;
-      const DoubleInterval minor = at[0][a] * at[1][b] - at[0][b] * at[1][a];
-      const double least = std::max(minor.lower, -minor.upper);
-      if (!(least > largest)) continue;
-      largest = least;
-      best = k;
-    }
-    return best;
-  }
+double largest_coordinate(const std::array<double, 3>& p) {
+  return std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+}
 
- private:
-  std::array<std::vector<SpaceForm>, 2> gradients_;
-};
-
-/// Whether two ends are the two half-branches of one smooth arc.
+/// Whether two ends in the point around which the germ is are the two half-branches of one smooth arc: in a cube around
+/// it the intersection is part of a graph, and both chords to the next points leave the cube on two sides of it.
 bool go_on(const SurfaceResult& result, const CurveEnd& a, const CurveEnd& b, const SurfaceSingularPoint& point,
-           const TransversalPair& surfaces) {
-  const std::array<double, 3>& centre = point.at.point;
-  const std::array<double, 3>& on_a = point_of(result, a, 1).point;
-  const std::array<double, 3>& on_b = point_of(result, b, 1).point;
-  double radius = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    radius = std::max({radius, std::fabs(on_a[k] - centre[k]), std::fabs(on_b[k] - centre[k])});
+           GermInSpace& germ) {
   const double error =
       point.radius + std::max(result.components[a.component].error, result.components[b.component].error);
-  const auto coordinate = surfaces.graph_coordinate(centre, 2 * radius + error);
-  if (!coordinate) return false;
-  const double to_a = on_a[*coordinate] - centre[*coordinate];
-  const double to_b = on_b[*coordinate] - centre[*coordinate];
-  return std::min(std::fabs(to_a), std::fabs(to_b)) > error && (to_a > 0) != (to_b > 0);
+  constexpr double least_share = 1e-6;
+  for (double part = 1; part > least_share; part /= 4) {
+    const std::array<double, 3> to_a = germ.to_frame(on_segment(point.at.point, point_of(result, a, 1).point, part));
+    const std::array<double, 3> to_b = germ.to_frame(on_segment(point.at.point, point_of(result, b, 1).point, part));
+    const double size = std::max(largest_coordinate(to_a), largest_coordinate(to_b));
+    if (!(size > 4 * error)) return false;
+    const auto coordinate = germ.graph_coordinate(2 * size + error);
+    if (!coordinate) continue;
+    const double on_a = to_a[*coordinate];
+    const double on_b = to_b[*coordinate];
+    if (std::min(std::fabs(on_a), std::fabs(on_b)) > error) return (on_a > 0) != (on_b > 0);
+  }
+  return false;
 }
 
 /// The one other end that goes on where this one ends.
 std::optional<std::size_t> partner(const SurfaceResult& result, const std::vector<CurveEnd>& ends, std::size_t own,
-                                   const SurfaceSingularPoint& point, const TransversalPair& surfaces) {
+                                   const SurfaceSingularPoint& point, GermInSpace& germ) {
   const std::array<double, 4>& at = point_of(result, ends[own]).parameters;
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -130,7 +111,7 @@ std::optional<std::size_t> partner(const SurfaceResult& result, const std::vecto
     if (found) return std::nullopt;
     found = i;
   }
-  if (found && !go_on(result, ends[own], ends[*found], point, surfaces)) return std::nullopt;
+  if (found && !go_on(result, ends[own], ends[*found], point, germ)) return std::nullopt;
   return found;
 }
 
@@ -161,13 +142,13 @@ void join(SurfaceResult& result, const CurveEnd& a, const CurveEnd& b) {
 }
 
 /// Joins what goes on in one point; false where not all ends have a partner.
-bool join_all(SurfaceResult& result, std::size_t singular_point, const TransversalPair& surfaces) {
+bool join_all(SurfaceResult& result, std::size_t singular_point, GermInSpace& germ) {
   const SurfaceSingularPoint& point = result.singular_points[singular_point];
   const std::vector<CurveEnd> ends = ends_in(result, singular_point);
   std::vector<std::pair<CurveEnd, CurveEnd>> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (end_of(result, ends[i]).kind == BranchEndKind::border) return false;
-    const auto other = partner(result, ends, i, point, surfaces);
+    const auto other = partner(result, ends, i, point, germ);
     if (!other) return false;
     if (i < *other) pairs.emplace_back(ends[i], ends[*other]);
   }
@@ -186,6 +167,50 @@ bool join_all(SurfaceResult& result, std::size_t singular_point, const Transvers
       }
   }
   return !ends.empty();
+}
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// The polyline from the end to the first point that is as far from it, or to the last one.
+std::vector<std::array<double, 3>> stretch(const SurfaceResult& result, const CurveEnd& end, double length) {
+  std::vector<std::array<double, 3>> points;
+  for (std::size_t i = 0; i < result.components[end.component].points.size(); ++i) {
+    points.push_back(point_of(result, end, i).point);
+    if (distance(points.front(), points.back()) >= length) break;
+  }
+  return points;
+}
+
+double reach(const SurfaceResult& result, const CurveEnd& end) {
+  double farthest = 0;
+  for (const SurfacePoint& point : result.components[end.component].points)
+    farthest = std::max(farthest, distance(point_of(result, end).point, point.point));
+  return farthest;
+}
+
+/// Whether two ends in one point are known to belong to different half-branches in space: where one is half as far as
+/// both lead, it is farther from the other than both errors.
+bool are_apart(const SurfaceResult& result, const CurveEnd& a, const CurveEnd& b) {
+  const double length = std::min(reach(result, a), reach(result, b));
+  const std::array<double, 3> at = stretch(result, a, length / 2).back();
+  const std::vector<std::array<double, 3>> other = stretch(result, b, length);
+  double nearest = INFINITY;
+  for (std::size_t i = 0; i + 1 < other.size(); ++i)
+    nearest = std::min(nearest, distance_from_segment(other[i], other[i + 1], at));
+  return nearest > result.components[a.component].error + result.components[b.component].error;
+}
+
+/// Half-branches in space that are known to be different: a map that covers its image twice shows each with two pairs
+/// of parameters.
+std::size_t different_half_branches(SurfaceResult& result, std::size_t singular_point) {
+  std::vector<CurveEnd> different;
+  for (const CurveEnd& end : ends_in(result, singular_point))
+    if (std::all_of(different.begin(), different.end(),
+                    [&](const CurveEnd& other) { return are_apart(result, end, other); }))
+      different.push_back(end);
+  return different.size();
 }
 
 }  // namespace
@@ -211,13 +236,18 @@ void join_at_collapsed_points(SurfaceResult& result, const symbolic::ParametricS
   if (collapsed.empty() || surface.pieces.size() != 1 ||
       surface.pieces.front().map.kind() != symbolic::RationalSurface::Kind::tensor_product)
     return;
-  const std::optional<Polynomial> own = symbolic::low_equation(surface.pieces.front().map);
+  const std::optional<Polynomial> own = symbolic::low_equation(surface.pieces.front().map, largest_equation_degree);
   if (!own) return;
   const std::array<Polynomial, 4> affine{Polynomial::variable(3, 0), Polynomial::variable(3, 1),
                                          Polynomial::variable(3, 2), Polynomial::constant(3, 1)};
-  const TransversalPair surfaces(own->compose(affine), equation);
+  const Polynomial own_equation = own->compose(affine);
   std::vector<bool> passed(result.singular_points.size(), false);
-  for (const std::size_t i : collapsed) passed[i] = join_all(result, i, surfaces);
+  for (const std::size_t i : collapsed) {
+    SurfaceSingularPoint& point = result.singular_points[i];
+    GermInSpace germ(own_equation, equation, point.at.point, point.radius);
+    passed[i] = join_all(result, i, germ);
+    if (!passed[i] && germ.is_singular()) point.kind = SurfaceSingularity::cusp;
+  }
   std::erase_if(result.components, [](const SurfaceComponent& component) { return component.points.empty(); });
   remove_singular_points(result, passed);
 }
@@ -244,10 +274,18 @@ void finish_collapsed_points(SurfaceResult& result) {
       continue;
     }
     if (ends[i] > 0 && !needed[i]) continue;
+    // Curves end there, at a base point where they are not known to.
+    if (ends[i] == 0 && !point.certified) continue;
     point.half_branches = ends[i];
-    point.kind = ends[i] == 0   ? SurfaceSingularity::contact
-                 : ends[i] == 4 ? SurfaceSingularity::crossing
-                                : SurfaceSingularity::cusp;
+    const std::size_t different = different_half_branches(result, i);
+    if (different == 0) {
+      point.kind = SurfaceSingularity::contact;
+    } else if (different > 2) {
+      point.kind = different == 4 ? SurfaceSingularity::crossing : SurfaceSingularity::cusp;
+    } else if (point.kind == SurfaceSingularity::undecided) {
+      point.certified = false;
+      point.reason = "whether the curve is smooth where a line of parameters is one point is not proven";
+    }
     if (ends[i] == 0) {
       SurfaceComponent component;
       component.kind = SurfaceComponentKind::point;

@@ -59,6 +59,7 @@ void merge_singular_points(SurfaceResult& result) {
       merged.push_back(std::move(point));
     } else {
       same->certified = same->certified && point.certified;
+      if (same->reason.empty()) same->reason = point.reason;
       for (std::size_t k = 0; k < 2; ++k)
         if (std::isnan(point.at.parameters[k])) same->at.parameters[k] = point.at.parameters[k];
     }

@@ -162,6 +162,12 @@ class PatchSection {
       point.at = placed(*finite);
       point.radius = error_at(*finite);
       point.certified = options_.certify;
+      if (std::any_of(group.begin(), group.end(), [&](std::size_t v) {
+            return graph_->vertices()[v].base_point && graph_->vertices()[v].ends > 0;
+          })) {
+        point.certified = false;
+        point.reason = "curves end at a base point there, where the surface is not defined";
+      }
       const std::array<double, 4> first = placed(group.front()).parameters;
       for (std::size_t k = 0; k < 2; ++k)
         if (std::any_of(group.begin(), group.end(), [&](std::size_t v) {

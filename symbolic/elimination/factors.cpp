@@ -17,6 +17,17 @@ class Factorization {
   ~Factorization() { fmpq_mpoly_factor_clear(value_, ring_); }
   fmpq_mpoly_factor_struct* get() { return value_; }
 
+  /// The bases, primitive, without constants.
+  std::vector<Polynomial> factors(std::size_t variable_count) const {
+    std::vector<Polynomial> result;
+    for (slong i = 0; i < fmpq_mpoly_factor_length(value_, ring_); ++i) {
+      Polynomial factor(variable_count);
+      fmpq_mpoly_factor_get_base(factor.get(), value_, i, ring_);
+      if (!factor.is_constant()) result.push_back(factor.primitive_part());
+    }
+    return result;
+  }
+
  private:
   const fmpq_mpoly_ctx_struct* ring_;
   fmpq_mpoly_factor_t value_;
@@ -29,13 +40,17 @@ std::vector<Polynomial> irreducible_factors(const Polynomial& p) {
   Factorization factorization(p.ring());
   if (fmpq_mpoly_factor(factorization.get(), p.get(), p.ring()) == 0)
     throw LimitReached("a polynomial could not be factored");
-  std::vector<Polynomial> factors;
-  for (slong i = 0; i < fmpq_mpoly_factor_length(factorization.get(), p.ring()); ++i) {
-    Polynomial factor(p.variable_count());
-    fmpq_mpoly_factor_get_base(factor.get(), factorization.get(), i, p.ring());
-    if (!factor.is_constant()) factors.push_back(factor.primitive_part());
-  }
-  return factors;
+  return factorization.factors(p.variable_count());
+}
+
+Polynomial squarefree_part(const Polynomial& p) {
+  if (p.is_zero()) throw InvalidInput("the zero polynomial has no squarefree part");
+  Factorization factorization(p.ring());
+  if (fmpq_mpoly_factor_squarefree(factorization.get(), p.get(), p.ring()) == 0)
+    throw LimitReached("the squarefree part of a polynomial could not be computed");
+  Polynomial product = Polynomial::constant(p.variable_count(), 1);
+  for (const Polynomial& factor : factorization.factors(p.variable_count())) product = product * factor;
+  return product;
 }
 
 std::vector<UnivariatePolynomial> irreducible_factors(const UnivariatePolynomial& p) {

@@ -11,7 +11,10 @@ namespace eliminant::symbolic {
 /// The different irreducible factors over Q of a polynomial that is not zero: primitive over Z, none constant.
 std::vector<Polynomial> irreducible_factors(const Polynomial& p);
 
-/// The same over Z of a univariate polynomial.
+/// Their product, without factoring over Q.
+Polynomial squarefree_part(const Polynomial& p);
+
+/// The different irreducible factors over Z of a univariate polynomial.
 std::vector<UnivariatePolynomial> irreducible_factors(const UnivariatePolynomial& p);
 
 }  // namespace eliminant::symbolic

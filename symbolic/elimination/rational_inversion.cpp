@@ -11,7 +11,6 @@ namespace eliminant::symbolic {
 
 namespace {
 
-constexpr unsigned long largest_degree = 4;
 /// Sum of both degrees of the map: witnesses of quadratic quotients have twice that degree.
 constexpr long largest_for_quadratic_quotients = 4;
 
@@ -114,7 +113,7 @@ Polynomial with_simple_factors(Polynomial witness, const std::vector<ParameterQu
 
 }  // namespace
 
-std::optional<Polynomial> low_equation(const RationalSurface& surface) {
+std::optional<Polynomial> low_equation(const RationalSurface& surface, unsigned long largest_degree) {
   for (unsigned long degree = 1; degree <= largest_degree; ++degree) {
     const std::vector<Polynomial> forms = monomials_in_space(degree);
     std::vector<Polynomial> on_surface;

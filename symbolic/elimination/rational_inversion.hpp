@@ -34,9 +34,9 @@ struct RationalInversion {
   bool is_inverse_everywhere() const;
 };
 
-/// The form of least degree in x, y, z, w that vanishes on a tensor-product surface, where that is 4 or less: its
-/// equation. nullopt too where the image is a curve.
-std::optional<Polynomial> low_equation(const RationalSurface& surface);
+/// The form of least degree in x, y, z, w that vanishes on a tensor-product surface, where that is `largest_degree` or
+/// less: its equation. nullopt too where the image is a curve.
+std::optional<Polynomial> low_equation(const RationalSurface& surface, unsigned long largest_degree = 4);
 
 /// Planes and proper parametrisations of quadrics and of many ruled surfaces have one by linear forms, tori by
 /// quadratic ones; nullopt for surfaces of degree above 4, or where a parameter is no such quotient (maps that cover

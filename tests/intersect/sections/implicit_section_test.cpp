@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <support/text_surfaces.hpp>
+
 #include <eliminant/base/error.hpp>
 #include <eliminant/intersect/patches/surface_surface.hpp>
-#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
 
 using namespace eliminant;
 using intersect::BranchEndKind;
@@ -25,22 +26,12 @@ using symbolic::Interval;
 using symbolic::ParametricSurface;
 using symbolic::Polynomial;
 using symbolic::Rational;
+using test::in_space;
+using test::map_of;
 
 namespace {
 
 using Point = std::array<double, 3>;
-
-Polynomial in_space(const std::string& text) {
-  const std::vector<std::string> names{"x", "y", "z"};
-  return symbolic::parse_polynomial(text, names);
-}
-
-symbolic::RationalSurface map_of(const std::vector<std::string>& texts) {
-  std::vector<Polynomial> coordinates;
-  const std::vector<std::string> names{"u", "v"};
-  for (const std::string& text : texts) coordinates.push_back(symbolic::parse_polynomial(text, names));
-  return {symbolic::RationalSurface::Kind::tensor_product, std::move(coordinates)};
-}
 
 ParametricSurface whole(const std::vector<std::string>& texts) { return {{{map_of(texts), std::nullopt}}}; }
 

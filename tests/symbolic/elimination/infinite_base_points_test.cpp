@@ -4,21 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
+#include <support/text_surfaces.hpp>
+
 #include <eliminant/symbolic/elimination/infinite_base_points.hpp>
 
 using namespace eliminant::symbolic;
-
-namespace {
-
-RationalSurface surface(const std::vector<std::string>& texts) {
-  const std::vector<std::string> names{"u", "v"};
-  std::vector<Polynomial> coordinates;
-  for (const std::string& text : texts) coordinates.push_back(parse_polynomial(text, names));
-  return {RationalSurface::Kind::tensor_product, coordinates};
-}
-
-}  // namespace
+using eliminant::test::map_of;
 
 TEST_CASE("Infinite base points: planes, graphs and Enneper's surface go to infinity with their parameters") {
   const std::vector<std::vector<std::string>> maps{
@@ -31,7 +22,7 @@ TEST_CASE("Infinite base points: planes, graphs and Enneper's surface go to infi
       {"1 + v^2", "u*v^2", "u*v", "u + u*v^2"}};
   for (const auto& map : maps) {
     CAPTURE(map[0]);
-    CHECK(is_infinite_around_origin(surface(map)));
+    CHECK(is_infinite_around_origin(map_of(map)));
   }
 }
 
@@ -46,6 +37,6 @@ TEST_CASE("Infinite base points: what stays finite along some path is not said t
   };
   for (const auto& map : maps) {
     CAPTURE(map[0]);
-    CHECK_FALSE(is_infinite_around_origin(surface(map)));
+    CHECK_FALSE(is_infinite_around_origin(map_of(map)));
   }
 }

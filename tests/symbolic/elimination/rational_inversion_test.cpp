@@ -6,19 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <eliminant/symbolic/arithmetic/parse_polynomial.hpp>
+#include <support/text_surfaces.hpp>
+
 #include <eliminant/symbolic/elimination/rational_inversion.hpp>
 
 using namespace eliminant::symbolic;
+using eliminant::test::map_of;
 
 namespace {
-
-RationalSurface surface(const std::vector<std::string>& texts) {
-  const std::vector<std::string> names{"u", "v"};
-  std::vector<Polynomial> coordinates;
-  for (const std::string& text : texts) coordinates.push_back(parse_polynomial(text, names));
-  return {RationalSurface::Kind::tensor_product, coordinates};
-}
 
 /// Quotients and equation hold for all parameters.
 void check_identities(const RationalSurface& map, const RationalInversion& inversion) {
@@ -41,7 +36,7 @@ TEST_CASE("Rational inversion: planes, a cylinder and quadrics by lines are inve
                                                    {"u", "v", "u^3 - 3*u*v^2", "1"}};
   for (const auto& texts : maps) {
     CAPTURE(texts[2]);
-    const RationalSurface map = surface(texts);
+    const RationalSurface map = map_of(texts);
     const auto inversion = rational_inversion(map);
     REQUIRE(inversion);
     check_identities(map, *inversion);
@@ -62,7 +57,7 @@ TEST_CASE("Rational inversion: the pole of a sphere, the apex of a cone and a do
   };
   for (const auto& [texts, point, other] : cases) {
     CAPTURE(texts[2]);
-    const RationalSurface map = surface(texts);
+    const RationalSurface map = map_of(texts);
     const auto inversion = rational_inversion(map);
     REQUIRE(inversion);
     check_identities(map, *inversion);
@@ -79,7 +74,7 @@ TEST_CASE("Rational inversion: the pole of a sphere, the apex of a cone and a do
 }
 
 TEST_CASE("Rational inversion: a torus by quadratic forms") {
-  const RationalSurface torus = surface({"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"});
+  const RationalSurface torus = map_of({"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"});
   const auto inversion = rational_inversion(torus);
   REQUIRE(inversion);
   check_identities(torus, *inversion);
@@ -98,7 +93,7 @@ TEST_CASE("Rational inversion: a torus by quadratic forms") {
 
 TEST_CASE("Rational inversion: whether points without a witness are images of lines") {
   const auto are_lines = [](const std::vector<std::string>& map) {
-    const auto inversion = rational_inversion(surface(map));
+    const auto inversion = rational_inversion(map_of(map));
     REQUIRE(inversion);
     return inversion->exceptions_are_lines;
   };
@@ -110,6 +105,6 @@ TEST_CASE("Rational inversion: whether points without a witness are images of li
 }
 
 TEST_CASE("Rational inversion: maps that cover their image twice, and parameters of higher degree, have none") {
-  CHECK_FALSE(rational_inversion(surface({"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(u^2 + 1)", "(u^2 + 1)*(v^2 + 1)"})));
-  CHECK_FALSE(rational_inversion(surface({"u^2", "v", "u^2 + v", "1"})));
+  CHECK_FALSE(rational_inversion(map_of({"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(u^2 + 1)", "(u^2 + 1)*(v^2 + 1)"})));
+  CHECK_FALSE(rational_inversion(map_of({"u^2", "v", "u^2 + v", "1"})));
 }
