@@ -12,8 +12,8 @@
 #include <eliminant/intersect/patches/branch_joining.hpp>
 #include <eliminant/intersect/patches/surface_summary.hpp>
 #include <eliminant/intersect/sections/collapsed_points.hpp>
+#include <eliminant/intersect/sections/section_charts.hpp>
 #include <eliminant/intersect/sections/section_factors.hpp>
-#include <eliminant/intersect/sections/section_patch.hpp>
 #include <eliminant/intersect/whole_surfaces/projective_charts.hpp>
 
 namespace eliminant::intersect {
@@ -22,30 +22,6 @@ namespace {
 
 using symbolic::ParametricSurface;
 using symbolic::Polynomial;
-using symbolic::SurfacePiece;
-
-SideRoles roles_of(const ProjectiveChart& chart, const ParametricSurface& surface) {
-  SideRoles roles{};
-  // Each line inside a triangle is a side u = 1 of one part and a side v = 1 of another.
-  if (chart.corner) return {{{SideRole::border, SideRole::seam}, {SideRole::border, SideRole::other_seam}}};
-  const bool whole = !surface.pieces.front().region;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (std::size_t side = 0; side < 2; ++side) {
-      SideRole& role = roles[k][side];
-      if (whole) {
-        role = chart.inverted[k] ? SideRole::other_seam : SideRole::seam;
-        continue;
-      }
-      const symbolic::Interval& own = chart.piece.region->sides[k];
-      // Another piece goes on beyond this side.
-      const bool goes_on = std::any_of(surface.pieces.begin(), surface.pieces.end(), [&](const SurfacePiece& other) {
-        const symbolic::Interval& there = other.region->sides[k];
-        return side == 0 ? there.lower < own.lower : own.upper < there.upper;
-      });
-      if (goes_on) role = side == 0 ? SideRole::seam : SideRole::other_seam;
-    }
-  return roles;
-}
 
 /// Singular points that were found on several patches become one.
 void merge_singular_points(SurfaceResult& result) {
@@ -108,10 +84,10 @@ SurfaceResult intersect_surface_with_equation(const ParametricSurface& surface, 
     return result;
   }
   try {
-    for (const ProjectiveChart& chart : projective_charts(surface, 2)) {
+    for (const SectionChart& part_of_surface : section_charts(surface)) {
       SurfaceResult part =
-          intersect_patch_with_equation(chart.piece, equation, roles_of(chart, surface), options, context);
-      to_surface_parameters(part, chart, chart);
+          intersect_patch_with_equation(part_of_surface.chart.piece, equation, part_of_surface.roles, options, context);
+      to_surface_parameters(part, part_of_surface);
       append(result, std::move(part));
     }
   } catch (const LimitReached& limit) {

@@ -60,4 +60,11 @@ UnivariatePolynomial gcd(const UnivariatePolynomial& a, const UnivariatePolynomi
   return result.primitive_part();
 }
 
+bool has_real_root(const UnivariatePolynomial& p) {
+  if (p.degree() < 1) return false;
+  UnivariatePolynomial squarefree;
+  fmpz_poly_div(squarefree.get(), p.get(), gcd(p, p.derivative()).get());
+  return fmpz_poly_num_real_roots(squarefree.get()) > 0;
+}
+
 }  // namespace eliminant::symbolic

@@ -60,4 +60,7 @@ UnivariatePolynomial power(const UnivariatePolynomial& p, unsigned long exponent
 /// Primitive greatest common divisor with positive leading coefficient.
 UnivariatePolynomial gcd(const UnivariatePolynomial& a, const UnivariatePolynomial& b);
 
+/// Of a polynomial that is not zero.
+bool has_real_root(const UnivariatePolynomial& p);
+
 }  // namespace eliminant::symbolic

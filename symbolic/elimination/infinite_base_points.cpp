@@ -43,13 +43,6 @@ HighestForm highest_form(const Polynomial& p, const std::vector<unsigned long>& 
   return form;
 }
 
-bool has_real_root(const UnivariatePolynomial& p) {
-  if (p.degree() < 1) return false;
-  UnivariatePolynomial squarefree;
-  fmpz_poly_div(squarefree.get(), p.get(), gcd(p, p.derivative()).get());
-  return fmpz_poly_num_real_roots(squarefree.get()) > 0;
-}
-
 /// A polynomial map in the inverses of both parameters whose coordinates grow in every direction.
 bool grows_in_every_direction(const RationalSurface& surface) {
   const auto weight = surface.coordinates()[3].terms();

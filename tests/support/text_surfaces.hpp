@@ -25,4 +25,13 @@ inline symbolic::RationalSurface map_of(const std::vector<std::string>& texts) {
   return {symbolic::RationalSurface::Kind::tensor_product, std::move(coordinates)};
 }
 
+using Texts = std::vector<std::string>;
+
+/// The unit sphere from its pole (0, 0, 1), which is a base point at infinity.
+inline const Texts sphere_from_pole{"2*u", "2*v", "u^2 + v^2 - 1", "u^2 + v^2 + 1"};
+/// The unit sphere by angles: each point has two pairs of parameters.
+inline const Texts sphere_by_angles{"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(1 + u^2)", "(1 + u^2)*(1 + v^2)"};
+/// x^2 + y^2 = z^2.
+inline const Texts cone{"v*(1 - u^2)", "2*u*v", "v*(u^2 + 1)", "u^2 + 1"};
+
 }  // namespace eliminant::test

@@ -15,18 +15,14 @@ using intersect::Status;
 using intersect::SurfaceComponentKind;
 using intersect::SurfaceResult;
 using intersect::SurfaceSingularity;
+using test::cone;
 using test::in_space;
 using test::map_of;
+using test::sphere_by_angles;
+using test::sphere_from_pole;
+using test::Texts;
 
 namespace {
-
-using Texts = std::vector<std::string>;
-
-/// Each point has two pairs of parameters.
-const Texts sphere_by_angles{"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(1 + u^2)", "(1 + u^2)*(1 + v^2)"};
-const Texts sphere_from_pole{"2*u", "2*v", "u^2 + v^2 - 1", "u^2 + v^2 + 1"};
-const Texts cone{"v*(1 - u^2)", "2*u*v", "v*(u^2 + 1)", "u^2 + 1"};
-const Texts torus{"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"};
 
 /// By the distance from the axis and the height at v: every point has two pairs of parameters where the one is odd and
 /// the other even.
@@ -94,10 +90,21 @@ TEST_CASE("collapsed points: crossings in a pole are counted in space") {
   check_singular(section(revolution("2*v", "v^3"), "x + z"), SurfaceSingularity::crossing, 4);
 }
 
+TEST_CASE("collapsed points: curves go on through a pole that is a base point at infinity") {
+  check_loops(section(sphere_from_pole, "x + y + z - 1"), 1, false);
+  check_loops(section(sphere_from_pole, "(x + y + z - 1)^2"), 1, true);
+  // A diagonal, where both charts around the base point meet.
+  check_loops(section(sphere_from_pole, "x - y"), 1, false);
+  check_singular(section(sphere_from_pole, "y*(1 - z) - x^2"), SurfaceSingularity::cusp, 2);
+  // Two circles with one tangent.
+  check_singular(section(sphere_from_pole, "(x + y + z - 1)*(2*x + 2*y + z - 1)"), SurfaceSingularity::crossing, 4);
+}
+
 TEST_CASE("collapsed points: where a curve ends at a base point no contact is claimed") {
-  const SurfaceResult circle = section(sphere_from_pole, "x + y + z - 1");
-  CHECK(circle.status == Status::numeric);
-  REQUIRE(circle.components.size() == 1);
-  CHECK_FALSE(circle.components.front().certified);
-  CHECK(circle.singular_points.empty());
+  // The weight vanishes along two real directions into the base point.
+  const SurfaceResult hyperbola = section({"2*u", "2*v", "u^2 - v^2 - 1", "u^2 - v^2 + 1"}, "x + 2*y + z - 1");
+  CHECK(hyperbola.status == Status::numeric);
+  CHECK(hyperbola.singular_points.empty());
+  CHECK(std::none_of(hyperbola.components.begin(), hyperbola.components.end(),
+                     [](const auto& c) { return c.kind == SurfaceComponentKind::point; }));
 }

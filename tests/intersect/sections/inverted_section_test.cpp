@@ -23,17 +23,16 @@ using intersect::SurfaceResult;
 using intersect::SurfaceSingularity;
 using symbolic::Polynomial;
 using symbolic::RationalSurface;
+using test::cone;
 using test::map_of;
+using test::sphere_by_angles;
+using test::Texts;
 
 namespace {
 
-using Texts = std::vector<std::string>;
-
 const Texts plane_z0{"u", "v", "0", "1"};
 const Texts plane_z1{"u", "v", "1", "1"};
-const Texts sphere{"2*u", "2*v", "u^2 + v^2 - 1", "u^2 + v^2 + 1"};
-const Texts sphere_by_angles{"2*v*(1 - u^2)", "4*u*v", "(1 - v^2)*(1 + u^2)", "(1 + u^2)*(1 + v^2)"};
-const Texts cone{"v*(1 - u^2)", "2*u*v", "v*(u^2 + 1)", "u^2 + 1"};
+const Texts& sphere = test::sphere_from_pole;
 const Texts cylinder{"1 - u^2", "2*u", "v*(u^2 + 1)", "u^2 + 1"};
 const Texts torus{"(1-u^2)*(v^2+3)", "2*u*(v^2+3)", "2*v*(u^2+1)", "(u^2+1)*(v^2+1)"};
 const Texts monkey_saddle{"u", "v", "u^3 - 3*u*v^2", "1"};
