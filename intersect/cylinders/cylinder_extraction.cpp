@@ -84,8 +84,7 @@ class Extraction {
   }
 
   CylinderExtractionResult run(const Context& context) {
-    const std::vector<Point> distinct = distinct_points();
-    CylinderSearch search(distinct, settings_);
+    CylinderSearch search(distinct_, settings_);
     try {
       search.run(context);
     } catch (const LimitReached& limit) {
@@ -159,8 +158,6 @@ class Extraction {
     require_positive(criteria.max_radius, "max_radius");
     if (criteria.min_radius > criteria.max_radius)
       throw InvalidInput("min_radius is larger than max_radius", "min_radius <= max_radius");
-    const double share = std::ceil(fewest_inliers_share * static_cast<double>(problem_.points.size()));
-    criteria.min_inliers = problem_.min_inliers.value_or(std::max(fewest_inliers, static_cast<std::size_t>(share)));
     settings_.confidence = problem_.confidence;
     settings_.seed = options_.seed;
     settings_.threads = options_.threads;
@@ -181,6 +178,9 @@ class Extraction {
     if (moved > 0)
       result_.warnings.push_back(std::to_string(moved) + (moved == 1 ? " point is" : " points are") +
                                  " very far from all others, of no cylinder");
+    distinct_ = distinct_points();
+    const double share = std::ceil(fewest_inliers_share * static_cast<double>(distinct_.size()));
+    criteria.min_inliers = problem_.min_inliers.value_or(std::max(fewest_inliers, static_cast<std::size_t>(share)));
     result_.distance = criteria.distance;
     result_.min_radius = criteria.min_radius;
     result_.max_radius = criteria.max_radius;
@@ -337,6 +337,8 @@ class Extraction {
   std::vector<Point> points_;
   // Of a point before it.
   std::vector<bool> is_copy_;
+  // Without copies, in the order of their first ones.
+  std::vector<Point> distinct_;
   CylinderSearchSettings settings_;
   std::vector<CylinderSegment> segments_;
   CylinderExtractionResult result_;

@@ -116,7 +116,9 @@ bool LineReader::next(std::string_view& line) {
   if (offset_ >= text_.size()) return false;
   const std::size_t end = std::min(text_.find_first_of("\r\n", offset_), text_.size());
   line = text_.substr(offset_, end - offset_);
-  offset_ = end + (text_.substr(end).starts_with("\r\n") ? 2 : 1);
+  const bool both = text_.substr(end).starts_with("\r\n");
+  if (number_ == 0) ends_in_return_ = !both && text_.substr(end).starts_with('\r');
+  offset_ = end + (both && !ends_in_return_ ? 2 : 1);
   ++number_;
   return true;
 }

@@ -32,7 +32,9 @@ std::string quoted_word(std::string_view word);
 /// The words between blanks and tabs.
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// The lines of a text, one after the other, without their ends.
+/// The lines of a text, one after the other, without their ends: a line feed, a carriage return, or both. Where the
+/// first line ends in a carriage return alone, all do: the line feed after one is the first byte of what follows a
+/// header.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : text_(text) {}
@@ -48,6 +50,7 @@ class LineReader {
   std::string_view text_;
   std::size_t offset_ = 0;
   std::size_t number_ = 0;
+  bool ends_in_return_ = false;
 };
 
 }  // namespace eliminant::io

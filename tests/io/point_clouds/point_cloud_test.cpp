@@ -164,6 +164,19 @@ TEST_CASE("PLY: headers that promise or name the wrong things") {
   CHECK(refused(list + bytes_of<std::int32_t>(1 << 30, false) + std::string(64, 'a'), "the file ends inside"));
 }
 
+TEST_CASE("PLY: a binary body begins after the end of the header's last line, whatever its first byte") {
+  for (const char* end : {"\n", "\r\n", "\r"})
+    for (const char first : {'\n', '\r', ' '}) {
+      std::string file;
+      for (const char* line : {"ply", "format binary_little_endian 1.0", "element vertex 1", "property uchar red",
+                               "property float x", "property float y", "property float z", "end_header"})
+        file += std::string(line) + end;
+      file += first + bytes_of(1.0F, false) + bytes_of(2.0F, false) + bytes_of(3.0F, false);
+      CAPTURE(static_cast<int>(first));
+      CHECK(points_of(file) == Points{{1, 2, 3}});
+    }
+}
+
 TEST_CASE("PCD: ASCII and binary, fields of several values") {
   CHECK(points_of(pcd_header("ascii", "2") + "1 2 3 7 7\n-4.5 0 0.001 8 8\n") == two);
   std::string binary = pcd_header("binary", "2");
