@@ -88,27 +88,48 @@ std::optional<Polynomial> curve_through(const Points& points) {
 /// Numerator and denominator.
 using Quotient = std::pair<Polynomial, Polynomial>;
 
+/// Columns that do not depend on one another.
+class IndependentColumns {
+ public:
+  explicit IndependentColumns(std::size_t rows) : orthogonal_(rows, 0) {}
+
+  /// False where the column depends on those before.
+  bool take(const VectorXd& column) {
+    VectorXd rest = column;
+    for (int round = 0; round < 2; ++round) rest -= orthogonal_ * (orthogonal_.transpose() * rest);
+    if (!(rest.norm() > well_conditioned * column.norm())) return false;
+    orthogonal_.conservativeResize(Eigen::NoChange, orthogonal_.cols() + 1);
+    orthogonal_.rightCols(1) = rest.normalized();
+    return true;
+  }
+
+ private:
+  MatrixXd orthogonal_;
+};
+
 /// The coordinate as a quotient with the monomials of `above` and `below`, the constant term of the denominator 1; of
 /// monomials that depend on those before them along the curve none is used.
 std::optional<Quotient> quotient_with(const std::vector<Monomial>& above, const std::vector<Monomial>& below,
                                       std::size_t coordinate, const Points& points) {
   VectorXd target(static_cast<long>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) target[static_cast<long>(i)] = points[i][coordinate];
-  MatrixXd orthogonal(points.size(), 0);
+  IndependentColumns columns(points.size());
   MatrixXd used(points.size(), 0);
   std::vector<std::pair<bool, Monomial>> kept;
   const auto take = [&](const VectorXd& column, bool is_above, const Monomial& monomial) {
-    VectorXd rest = column;
-    for (int round = 0; round < 2; ++round) rest -= orthogonal * (orthogonal.transpose() * rest);
-    if (!(rest.norm() > well_conditioned * column.norm())) return;
-    orthogonal.conservativeResize(Eigen::NoChange, orthogonal.cols() + 1);
-    orthogonal.rightCols(1) = rest.normalized();
+    if (!columns.take(column)) return;
     used.conservativeResize(Eigen::NoChange, used.cols() + 1);
     used.rightCols(1) = column;
     kept.emplace_back(is_above, monomial);
   };
   for (const Monomial& monomial : above) take(values_of(monomial, points), true, monomial);
-  for (const Monomial& monomial : below) take(values_of(monomial, points).cwiseProduct(target), false, monomial);
+  // A denominator that is constant along the curve would be one times the coordinate itself.
+  IndependentColumns denominators(points.size());
+  denominators.take(values_of({0, 0}, points));
+  for (const Monomial& monomial : below) {
+    const VectorXd values = values_of(monomial, points);
+    if (denominators.take(values)) take(values.cwiseProduct(target), false, monomial);
+  }
   const VectorXd coefficients = used.colPivHouseholderQr().solve(target);
   if (!((used * coefficients - target).lpNorm<Eigen::Infinity>() < rounded_zero)) return std::nullopt;
   Quotient result{Polynomial(2), Polynomial::constant(2, 1)};
@@ -134,6 +155,8 @@ std::optional<Quotient> quotient_for(std::size_t coordinate, const Points& point
       {{{0, 0}, {0, 1}}, {{0, 1}}},
       {{{0, 0}, {1, 0}, {2, 0}}, {{1, 0}, {2, 0}}},
       {{{0, 0}, {0, 1}, {0, 2}}, {{0, 1}, {0, 2}}},
+      {{{0, 0}, {1, 0}, {2, 0}, {3, 0}}, {}},
+      {{{0, 0}, {0, 1}, {0, 2}, {0, 3}}, {}},
       {{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}}, {}},
       {{{0, 0}, {1, 0}, {0, 1}}, {{1, 0}, {0, 1}}},
       {{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{1, 0}, {0, 1}, {1, 1}}},

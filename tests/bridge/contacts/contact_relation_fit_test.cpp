@@ -65,3 +65,18 @@ TEST_CASE("Contact relation fit: neither irrational coefficients nor transcenden
   })));
   CHECK_FALSE(contact_relation_fit(points([](double x) { return std::array<double, 4>{x, std::exp(x) / 4, x, x}; })));
 }
+
+TEST_CASE("Contact relation fit: along the line u = 1 quotients are those of the other parameter") {
+  const auto quotient = contact_relation_fit(points([](double x) {
+    return std::array<double, 4>{1, x, 0, x / (2 - x)};
+  }));
+  REQUIRE(quotient);
+  CHECK(quotient->curve == parsed("u - 1"));
+  CHECK(quotient->numerator[1] * parsed("2 - v") == parsed("v") * quotient->denominator[1]);
+
+  const auto cubic = contact_relation_fit(points([](double x) {
+    return std::array<double, 4>{1, x, 0, x * (1 + x) * (1 + x) / 4};
+  }));
+  REQUIRE(cubic);
+  CHECK(cubic->numerator[1] == parsed("v*(1 + v)^2/4") * cubic->denominator[1]);
+}
