@@ -12,6 +12,7 @@
 #include <eliminant/bridge/branches/branch_subdivision.hpp>
 #include <eliminant/bridge/branches/patch_border_points.hpp>
 #include <eliminant/bridge/branches/zoomed_tracing.hpp>
+#include <eliminant/bridge/contacts/common_border.hpp>
 #include <eliminant/bridge/contacts/contact_curves.hpp>
 #include <eliminant/bridge/contacts/corank_one_tracing.hpp>
 #include <eliminant/bridge/contacts/crossing_tracing.hpp>
@@ -107,7 +108,9 @@ class PatchPair {
         [&](std::size_t axis, int side) {
           if (settle_common_surface()) throw Settled();
           const bridge::ExactNet& net = axis < 2 ? nets_.exact_first : nets_.exact_second;
-          return is_one_point(net, axis % 2, side) ? contained_point(pair_, axis, side) : borders.contained(axis, side);
+          if (is_one_point(net, axis % 2, side)) return contained_point(pair_, axis, side);
+          if (bridge::is_common_border(nets_, axis, side)) return bridge::ContainedParts{{{0, 1}}, true};
+          return borders.contained(axis, side);
         },
         context_, curves_);
     result_.components = contained_curves(pair_, border.contained, graph_, tolerance_);

@@ -87,33 +87,83 @@ Jet jet_at(const std::vector<Polynomial>& map, const std::array<Polynomial, 2>& 
 
 bool vanishes_along(const Polynomial& p, const Polynomial& curve) { return divides(curve, p); }
 
-bool touch_along(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
-                 const ContactRelation& relation) {
+namespace {
+
+/// Maps along the curve of a relation.
+class AlongCurve {
+ public:
+  AlongCurve(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
+             const ContactRelation& relation)
+      : first_(first),
+        second_(second),
+        relation_(relation),
+        substitution_(relation, bidegree_of(second)),
+        point_(substituted([&](std::size_t k) { return second[k]; })) {}
+
+  /// Not where a denominator vanishes along the curve.
+  bool is_defined() const {
+    return std::none_of(relation_.denominator.begin(), relation_.denominator.end(),
+                        [&](const Polynomial& denominator) { return divides(relation_.curve, denominator); });
+  }
+
+  bool has_equal_points() const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!divides(relation_.curve, first_[k] * point_[3] - first_[3] * point_[k])) return false;
+    return true;
+  }
+
+  /// Where points are equal: the tangent plane of the second map is spanned by its point and both derivatives.
+  bool has_equal_tangent_planes() const {
+    const Coordinates by_s = substituted([&](std::size_t k) { return second_[k].derivative(0); });
+    const Coordinates by_t = substituted([&](std::size_t k) { return second_[k].derivative(1); });
+    for (std::size_t parameter = 0; parameter < 2; ++parameter) {
+      Coordinates along{Polynomial(2), Polynomial(2), Polynomial(2), Polynomial(2)};
+      for (std::size_t k = 0; k < 4; ++k) along[k] = first_[k].derivative(parameter);
+      if (!divides(relation_.curve, determinant_of(along, point_, by_s, by_t))) return false;
+    }
+    return true;
+  }
+
+ private:
+  static std::array<unsigned long, 2> bidegree_of(const std::vector<Polynomial>& map) {
+    std::array<unsigned long, 2> bidegree{};
+    for (const Polynomial& p : map)
+      for (std::size_t k = 0; k < 2; ++k)
+        bidegree[k] = std::max(bidegree[k], static_cast<unsigned long>(std::max(p.degree(k), 0L)));
+    return bidegree;
+  }
+
+  template <class Coordinate>
+  Coordinates substituted(const Coordinate& p_of) const {
+    return {substitution_.in(p_of(0)), substitution_.in(p_of(1)), substitution_.in(p_of(2)), substitution_.in(p_of(3))};
+  }
+
+  const std::vector<Polynomial>& first_;
+  const std::vector<Polynomial>& second_;
+  const ContactRelation& relation_;
+  Substitution substitution_;
+  Coordinates point_;
+};
+
+void require_curve(const ContactRelation& relation) {
   if (relation.curve.is_constant())
     throw InvalidInput("maps were compared along a constant", "the equation of a curve");
-  for (const Polynomial& denominator : relation.denominator)
-    if (divides(relation.curve, denominator)) return false;
-  std::array<unsigned long, 2> bidegree{};
-  for (const Polynomial& p : second)
-    for (std::size_t k = 0; k < 2; ++k)
-      bidegree[k] = std::max(bidegree[k], static_cast<unsigned long>(std::max(p.degree(k), 0L)));
-  const Substitution substitution(relation, bidegree);
-  const auto substituted = [&](const auto& p_of) {
-    return Coordinates{substitution.in(p_of(0)), substitution.in(p_of(1)), substitution.in(p_of(2)),
-                       substitution.in(p_of(3))};
-  };
-  const Coordinates point = substituted([&](std::size_t k) { return second[k]; });
-  for (std::size_t k = 0; k < 3; ++k)
-    if (!divides(relation.curve, first[k] * point[3] - first[3] * point[k])) return false;
-  // The tangent plane of the second is spanned by its point and both derivatives.
-  const Coordinates by_s = substituted([&](std::size_t k) { return second[k].derivative(0); });
-  const Coordinates by_t = substituted([&](std::size_t k) { return second[k].derivative(1); });
-  for (std::size_t parameter = 0; parameter < 2; ++parameter) {
-    Coordinates along{Polynomial(2), Polynomial(2), Polynomial(2), Polynomial(2)};
-    for (std::size_t k = 0; k < 4; ++k) along[k] = first[k].derivative(parameter);
-    if (!divides(relation.curve, determinant_of(along, point, by_s, by_t))) return false;
-  }
-  return true;
+}
+
+}  // namespace
+
+bool meet_along(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
+                const ContactRelation& relation) {
+  require_curve(relation);
+  const AlongCurve maps(first, second, relation);
+  return maps.is_defined() && maps.has_equal_points();
+}
+
+bool touch_along(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
+                 const ContactRelation& relation) {
+  require_curve(relation);
+  const AlongCurve maps(first, second, relation);
+  return maps.is_defined() && maps.has_equal_points() && maps.has_equal_tangent_planes();
 }
 
 bool touch_at_roots(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,

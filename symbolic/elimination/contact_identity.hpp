@@ -20,6 +20,11 @@ struct ContactRelation {
 /// Whether a polynomial in (a, b) vanishes on the curve: its equation, which must have no multiple factor, divides it.
 bool vanishes_along(const Polynomial& p, const Polynomial& curve);
 
+/// Whether both maps have equal points along the curve, wherever the denominators and the weights are not zero: the
+/// curve divides the minors that say so. Otherwise as touch_along.
+bool meet_along(const std::vector<Polynomial>& first, const std::vector<Polynomial>& second,
+                const ContactRelation& relation);
+
 /// Whether both maps have equal points and equal tangent planes along the curve, wherever the denominators and the
 /// weights are not zero and the second map is immersed: the curve divides the minors that say so. A proof where true;
 /// also false where a denominator vanishes along the curve. The maps are their four homogeneous coordinates, the weight

@@ -52,3 +52,13 @@ TEST_CASE("Contact identity: quotients as parameters, and weights") {
   CHECK_FALSE(touch_along(first, second, relation_of("u - 2*v", "u*(u - 2*v)", "v*(u - 2*v)", "(1 + u)*(u - 2*v)")));
   CHECK_THROWS_AS(touch_along(first, second, relation_of("2", "u", "v")), InvalidInput);
 }
+
+TEST_CASE("Contact identity: maps that cross along a curve meet there, and do not touch") {
+  const auto first = map_of({"u", "v", "u*v", "1"});
+  const auto second = map_of({"u", "v", "u*v + (u - 1/3)*(v + 2)", "1"});
+  CHECK(meet_along(first, second, relation_of("u - 1/3", "u", "v")));
+  CHECK_FALSE(touch_along(first, second, relation_of("u - 1/3", "u", "v")));
+  CHECK_FALSE(meet_along(first, second, relation_of("u - 1/3", "v", "u")));
+  CHECK_FALSE(meet_along(first, second, relation_of("u - 1/3", "u*(u - 1/3)", "v*(u - 1/3)", "u - 1/3")));
+  CHECK_THROWS_AS(meet_along(first, second, relation_of("2", "u", "v")), InvalidInput);
+}
