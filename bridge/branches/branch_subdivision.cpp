@@ -217,7 +217,7 @@ class Subdivision {
       for (std::size_t k = 0; k < 4; ++k) middle[k] = 0.5 * (box.lower[k] + box.upper[k]);
       if (!curves_->find(middle, widest)) look_for_curve_ = 0.5 * widest;
     }
-    if (curves_->curves().empty()) return false;
+    if (!curves_->can_explain()) return false;
     if (cell.points.empty() && curves_->explains(box)) return true;
     if (cell.points.size() != 2) return false;
     const auto crossing = curves_->crossing(box);

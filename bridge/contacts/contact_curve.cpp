@@ -250,41 +250,55 @@ bool ContactCurve::is_explained(const CellBox& asked) const {
   return std::any_of(explained_.rbegin(), explained_.rend(), [&](const Explained& e) { return e.covers(box); });
 }
 
-bool ContactCurve::explains(const CellBox& asked) {
-  const CellBox box = in_base_order(asked);
+std::optional<ContactCurve::Surroundings> ContactCurve::surroundings(const CellBox& box) const {
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
-  Place origin = nearest(middle);
+  Surroundings result;
+  result.origin = nearest(middle);
   // Only around the curve.
   const double size = std::max({box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], 1e-6});
-  if (!(std::hypot(origin[0] - middle[0], origin[1] - middle[1]) < 2 * size)) return false;
-  const auto has_one_sign = [](const DoubleInterval& x) { return x.is_finite() && x.excludes_zero(); };
-  Place across = unit(gradient(origin));
-  Place along{-across[1], across[0]};
+  if (!(std::hypot(result.origin[0] - middle[0], result.origin[1] - middle[1]) < 2 * size)) return std::nullopt;
+  result.across = unit(gradient(result.origin));
+  result.along = {-result.across[1], result.across[0]};
   // On a cut its own direction will do.
   constexpr double thin = 1e-6;
   const std::array<double, 2> width{box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]};
-  const bool is_cut = std::min(width[0], width[1]) < thin * std::max(width[0], width[1]);
-  if (is_cut) {
-    const std::size_t kept = width[0] < width[1] ? 0 : 1;
-    // Where the cut meets the curve.
-    Place at{middle[0], middle[1]};
-    for (int step = 0; step < 10; ++step) at[1 - kept] -= curve_.near(at[0], at[1]) / gradient(at)[1 - kept];
-    if (!(std::fabs(at[1 - kept] - middle[1 - kept]) < 2 * size)) return false;
-    origin = at;
-    across = {kept == 0 ? 0.0 : 1.0, kept == 0 ? 1.0 : 0.0};
-    along = {kept == 0 ? 1.0 : 0.0, kept == 0 ? 0.0 : 1.0};
-  }
-  const auto around = region(box, origin, across, along, 4);
+  result.is_cut = std::min(width[0], width[1]) < thin * std::max(width[0], width[1]);
+  if (!result.is_cut) return result;
+  const std::size_t kept = width[0] < width[1] ? 0 : 1;
+  // Where the cut meets the curve.
+  Place at{middle[0], middle[1]};
+  for (int step = 0; step < 10; ++step) at[1 - kept] -= curve_.near(at[0], at[1]) / gradient(at)[1 - kept];
+  if (!(std::fabs(at[1 - kept] - middle[1 - kept]) < 2 * size)) return std::nullopt;
+  result.origin = at;
+  result.across = {kept == 0 ? 0.0 : 1.0, kept == 0 ? 1.0 : 0.0};
+  result.along = {kept == 0 ? 1.0 : 0.0, kept == 0 ? 0.0 : 1.0};
+  return result;
+}
+
+bool ContactCurve::keeps_apart(const CellBox& asked) {
+  const CellBox box = in_base_order(asked);
+  const auto at = surroundings(box);
+  if (!at) return false;
+  const auto around = region(box, at->origin, at->across, at->along, 2);
+  return around && keeps_apart(*around) && record(*around, at->is_cut);
+}
+
+bool ContactCurve::explains(const CellBox& asked) {
+  const CellBox box = in_base_order(asked);
+  const auto at = surroundings(box);
+  if (!at) return false;
+  const auto has_one_sign = [](const DoubleInterval& x) { return x.is_finite() && x.excludes_zero(); };
+  const auto around = region(box, at->origin, at->across, at->along, 4);
   if (!around) return false;
-  if (keeps_apart(*around)) return record(*around, is_cut);
+  if (keeps_apart(*around)) return record(*around, at->is_cut);
   // More often than not, larger cells are not worth a closer look.
   constexpr double small = 0.125;
   const bool is_small = around->reach < small && around->length < small;
   const PlaneSeries<DoubleInterval> heights = around->heights(is_small ? 4 : 2);
   if (!has_one_sign(heights.at(2, 0)) &&
-      !(is_small && has_one_sign(is_cut ? bend_on_cut(*around, heights) : forms_on(*around, heights).xx)))
+      !(is_small && has_one_sign(at->is_cut ? bend_on_cut(*around, heights) : forms_on(*around, heights).xx)))
     return false;
-  return record(*around, is_cut);
+  return record(*around, at->is_cut);
 }
 
 bool ContactCurve::record(const Region& region, bool is_cut) {

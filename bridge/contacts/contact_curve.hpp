@@ -51,7 +51,7 @@ struct CurveCrossing {
 /// the difference vanishes to second order on the curve. Where the curve meets every line of one direction in a
 /// parallelogram and the second derivative of h in that direction has one sign, h has no other zero there (Rolle).
 /// Where the curve is a border of both patches, and they lie on different sides of it in the projection along the
-/// normal, nothing has to be known of h.
+/// normal, nothing has to be known of h: patches that only have a border in common are kept apart that way, too.
 /// Where the third one has one sign, each line has one zero more, which moves along one smooth branch; it crosses the
 /// curve once where the second derivative changes its sign along the curve, monotonically.
 class ContactCurve {
@@ -80,6 +80,9 @@ class ContactCurve {
 
   /// True where it is proven that every common point in the box is a point of the curve.
   bool explains(const CellBox& box);
+  /// The same where the curve is a border of both patches, of which only has to be proven that points are equal on it
+  /// (symbolic::meet_along).
+  bool keeps_apart(const CellBox& box);
   /// True where an earlier proof says so already.
   bool is_explained(const CellBox& box) const;
 
@@ -130,6 +133,15 @@ class ContactCurve {
   /// Of a derivative of h at a point, computed in doubles, in a direction of length about 1.
   double rounding_of_derivative(std::size_t order) const;
 
+  /// Where it may be explained: around the curve, and lines across it.
+  struct Surroundings {
+    std::array<double, 2> origin{};
+    std::array<double, 2> across{};
+    std::array<double, 2> along{};
+    bool is_cut = false;
+  };
+  /// nullopt where the box, its parameters those of the base first, is not near the curve.
+  std::optional<Surroundings> surroundings(const CellBox& box) const;
   /// Keeps the region as explained, unless it is that of a cut; true.
   bool record(const Region& region, bool is_cut);
   /// Whether every point of the region whose parameters of the base are inside the domain, and not on the curve, has

@@ -55,16 +55,19 @@ bool ContactCurves::is_along(std::size_t axis, int side) const {
 
 bool ContactCurves::find_along(std::size_t axis, int side, double lower, double upper) {
   if (is_along(axis, side)) return true;
-  if (equations_ == 0) return false;
+  const auto is_known_border = [&](const ContactCurve& border) { return border.sides_along()[axis] == side; };
+  if (equations_ == 0 || std::any_of(borders_.begin(), borders_.end(), is_known_border)) return false;
   const auto points = points_along_border(first_, second_, {axis, side, lower, upper});
   if (points.empty()) return false;
   const bool of_second = axis >= 2;
-  if ((recognise(points, of_second) || recognise(points, !of_second)) && is_along(axis, side)) return true;
+  if (recognise_border(points, of_second, axis, side) || recognise_border(points, !of_second, axis, side))
+    return is_along(axis, side);
   --equations_;
   return false;
 }
 
-bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, bool swapped) {
+std::optional<ContactCurve> ContactCurves::curve_through(const std::vector<std::array<double, 4>>& points,
+                                                         bool swapped) const {
   std::vector<std::array<double, 4>> ordered = points;
   if (swapped)
     for (std::array<double, 4>& p : ordered) p = {p[2], p[3], p[0], p[1]};
@@ -72,13 +75,33 @@ bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, 
   const auto has_zero = [](const symbolic::Polynomial& p) {
     return !excludes_zero(function_net(p, {symbolic::Interval{0, 1}, symbolic::Interval{0, 1}}), {0, 0}, {1, 1});
   };
-  if (!relation || has_zero(relation->denominator[0]) || has_zero(relation->denominator[1])) return false;
-  if (!symbolic::touch_along(coordinates(swapped), coordinates(!swapped), *relation)) return false;
-  if (swapped)
-    curves_.emplace_back(second_, first_, exact_second_, exact_first_, *relation, true);
-  else
-    curves_.emplace_back(first_, second_, exact_first_, exact_second_, *relation, false);
+  if (!relation || has_zero(relation->denominator[0]) || has_zero(relation->denominator[1])) return std::nullopt;
+  if (swapped) return ContactCurve(second_, first_, exact_second_, exact_first_, *relation, true);
+  return ContactCurve(first_, second_, exact_first_, exact_second_, *relation, false);
+}
+
+bool ContactCurves::add_if_touching(const ContactCurve& curve) {
+  if (!symbolic::touch_along(coordinates(curve.swapped()), coordinates(!curve.swapped()), curve.relation()))
+    return false;
+  curves_.push_back(curve);
   explained_size_.push_back(1);
+  return true;
+}
+
+bool ContactCurves::recognise(const std::vector<std::array<double, 4>>& points, bool swapped) {
+  const auto curve = curve_through(points, swapped);
+  return curve && add_if_touching(*curve);
+}
+
+bool ContactCurves::recognise_border(const std::vector<std::array<double, 4>>& points, bool swapped, std::size_t axis,
+                                     int side) {
+  const auto curve = curve_through(points, swapped);
+  if (!curve || curve->sides_along()[axis] != side) return false;
+  if (add_if_touching(*curve)) return true;
+  const std::size_t other = axis < 2 ? 2 : 0;
+  if (curve->sides_along()[other] == 0 && curve->sides_along()[other + 1] == 0) return false;
+  if (!symbolic::meet_along(coordinates(swapped), coordinates(!swapped), curve->relation())) return false;
+  borders_.push_back(*curve);
   return true;
 }
 
@@ -96,30 +119,41 @@ bool ContactCurves::explains(const CellBox& box) {
     explained_size_[i] = size;
     return true;
   }
-  return false;
+  return std::any_of(borders_.begin(), borders_.end(), [&](ContactCurve& border) {
+    if (border.is_explained(box)) return true;
+    if (border_attempts_ == 0) return false;
+    if (border.keeps_apart(box)) return true;
+    --border_attempts_;
+    return false;
+  });
 }
 
 std::optional<CellBox> ContactCurves::explained_around(std::size_t axis, const std::array<double, 4>& near,
                                                        const std::array<double, 4>& half_width) {
-  for (const ContactCurve& curve : curves_) {
-    const auto point = curve.point_on_cut(axis, near);
-    if (!point) continue;
-    bool is_near = true;
-    for (std::size_t k = 0; k < 4; ++k)
-      is_near = is_near && (k == axis || std::fabs((*point)[k] - near[k]) < half_width[k]);
-    if (!is_near) continue;
-    constexpr int most_halvings = 12;
-    for (int i = 0; i < most_halvings; ++i) {
-      CellBox box;
-      for (std::size_t k = 0; k < 4; ++k) {
-        // The width across the cut stands for roundings.
-        const double half = k == axis ? half_width[k] : std::ldexp(half_width[k], -i);
-        const double middle = k == axis ? near[k] : (*point)[k];
-        box.lower[k] = middle - half;
-        box.upper[k] = middle + half;
-      }
-      if (explains(box)) return box;
+  for (const std::deque<ContactCurve>* curves : {&curves_, &borders_})
+    for (const ContactCurve& curve : *curves)
+      if (const auto box = explained_around(curve, axis, near, half_width)) return box;
+  return std::nullopt;
+}
+
+std::optional<CellBox> ContactCurves::explained_around(const ContactCurve& curve, std::size_t axis,
+                                                       const std::array<double, 4>& near,
+                                                       const std::array<double, 4>& half_width) {
+  const auto point = curve.point_on_cut(axis, near);
+  if (!point) return std::nullopt;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (k != axis && !(std::fabs((*point)[k] - near[k]) < half_width[k])) return std::nullopt;
+  constexpr int most_halvings = 12;
+  for (int i = 0; i < most_halvings; ++i) {
+    CellBox box;
+    for (std::size_t k = 0; k < 4; ++k) {
+      // The width across the cut stands for roundings.
+      const double half = k == axis ? half_width[k] : std::ldexp(half_width[k], -i);
+      const double middle = k == axis ? near[k] : (*point)[k];
+      box.lower[k] = middle - half;
+      box.upper[k] = middle + half;
     }
+    if (explains(box)) return box;
   }
   return std::nullopt;
 }

@@ -18,6 +18,9 @@ namespace eliminant::bridge {
 /// Points of such a curve are followed in doubles (contact_curve_points), its equation in the parameters of one patch
 /// and those of the other are recognised (contact_relation_fit), exact division proves them (symbolic::touch_along). A
 /// curve that is not of low degree with simple rational coefficients is not found.
+///
+/// Along a border that both patches have, points are equal without contact. Where their tangent planes come near each
+/// other there, such a border explains boxes as a curve of contact does, if the patches are on different sides of it.
 class ContactCurves {
  public:
   /// All must outlive the object.
@@ -28,17 +31,21 @@ class ContactCurves {
   /// Those that were found.
   const std::deque<ContactCurve>& curves() const { return curves_; }
 
+  /// Whether any box may be explained.
+  bool can_explain() const { return !curves_.empty() || !borders_.empty(); }
+
   /// Looks for one within `reach` of these parameters (u, v, s, t). True when there is one that was not known.
   bool find(const std::array<double, 4>& near, double reach);
 
-  /// Looks for one along a part of a border curve (axis 0 to 3, side -1 or 1) that lies in the other patch. True when
-  /// there is one, known or not.
+  /// Looks for one along a part of a border curve (axis 0 to 3, side -1 or 1) that lies in the other patch, and for one
+  /// that both patches have. True when there is a curve of contact, known or not.
   bool find_along(std::size_t axis, int side, double lower, double upper);
 
   /// Whether there is one along that border.
   bool is_along(std::size_t axis, int side) const;
 
-  /// True where it is proven that every common point in the box is one of a curve that was found.
+  /// True where it is proven that every common point in the box is one of a curve that was found, or of a border in
+  /// common.
   bool explains(const CellBox& box);
 
   /// Whether these parameters are a point of one, exactly.
@@ -62,6 +69,12 @@ class ContactCurves {
  private:
   bool is_known(const std::array<double, 4>& point) const;
   bool recognise(const std::vector<std::array<double, 4>>& points, bool swapped);
+  /// As a curve of contact, or as a border in common.
+  bool recognise_border(const std::vector<std::array<double, 4>>& points, bool swapped, std::size_t axis, int side);
+  std::optional<ContactCurve> curve_through(const std::vector<std::array<double, 4>>& points, bool swapped) const;
+  bool add_if_touching(const ContactCurve& curve);
+  std::optional<CellBox> explained_around(const ContactCurve& curve, std::size_t axis,
+                                          const std::array<double, 4>& near, const std::array<double, 4>& half_width);
   const std::vector<symbolic::Polynomial>& coordinates(bool of_second);
 
   const ControlNet& first_;
@@ -72,7 +85,10 @@ class ContactCurves {
   std::array<std::vector<symbolic::Polynomial>, 2> coordinates_;
   /// Pointers to its members stay valid.
   std::deque<ContactCurve> curves_;
-  /// Of each the size of the last box that was explained: much larger ones are not tried.
+  /// Borders of both patches along which they need not touch, and how often one may fail to explain a box.
+  std::deque<ContactCurve> borders_;
+  int border_attempts_ = 20000;
+  /// Of each curve the size of the last box that was explained: much larger ones are not tried.
   std::vector<double> explained_size_;
   /// Attempts left, at points and at equations.
   int attempts_ = 60;

@@ -133,3 +133,19 @@ TEST_CASE("Contact curves: along a border, with patches on both sides of it or o
   CHECK_FALSE(edge.curves.find_along(0, 1, 0, 1));
   CHECK_FALSE(edge.curves.find_along(0, -1, 0, 1));
 }
+
+TEST_CASE(
+    "Contact curves: nearly parallel patches on different sides of a border in common are explained, on one side they "
+    "are not") {
+  // Along u = 0 the slopes are equal where v = 1/2.
+  const CellBox box{{0, 0.49, 0, 0.49}, {0.02, 0.51, 0.02, 0.51}};
+  for (const bool apart : {true, false}) {
+    const NetPair nets({"u", "v", "v^2"}, {apart ? "-u" : "u", "v", "v^2 + u*(v - 1/2)"});
+    ContactCurves curves(nets.first, nets.second, nets.exact_first, nets.exact_second);
+    CHECK_FALSE(curves.explains(box));
+    CHECK_FALSE(curves.find_along(0, -1, 0, 1));
+    CHECK(curves.can_explain());
+    CHECK(curves.curves().empty());
+    CHECK(curves.explains(box) == apart);
+  }
+}
