@@ -17,6 +17,7 @@
 #include <eliminant/intersect/overlaps/border_arcs.hpp>
 #include <eliminant/intersect/overlaps/patch_inversion.hpp>
 #include <eliminant/intersect/patches/net_patches.hpp>
+#include <eliminant/intersect/patches/only_common_point.hpp>
 #include <eliminant/intersect/patches/patch_pair.hpp>
 #include <eliminant/symbolic/elimination/implicit_equation.hpp>
 #include <eliminant/symbolic/elimination/vanishing.hpp>
@@ -102,6 +103,14 @@ bool is_smooth_on(const Polynomial& equation, const RationalSurface& patch) {
 bool is_embedded(const symbolic::SurfacePiece& patch, const Context& context) {
   const SurfaceResult itself = intersect_patch_with_itself(patch, Options(), context);
   return itself.status == Status::certified && itself.components.empty() && itself.singular_points.empty();
+}
+
+/// A border that is one point: the patch is no disc by its parameters, whose double points around it have no end.
+bool has_tip(const ExactNet& net) {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (const int side : {-1, 1})
+      if (is_one_point(net, axis, side)) return true;
+  return false;
 }
 
 using Parameters = std::array<double, 4>;
@@ -283,7 +292,8 @@ std::optional<PatchOverlap> parts_of_common_surface(const PatchNets& first, cons
   const symbolic::SurfacePiece b = patch_of(second.exact);
   auto equation = common_plane(first.exact, second.exact);
   if (!equation) equation = common_equation(a.map, b.map, context);
-  if (!equation || !is_smooth_on(*equation, a.map) || !is_embedded(a, context) || !is_embedded(b, context))
+  if (!equation || has_tip(first.exact) || has_tip(second.exact) || !is_smooth_on(*equation, a.map) ||
+      !is_embedded(a, context) || !is_embedded(b, context))
     return std::nullopt;
   const auto borders = border_arcs(first, second, context);
   if (!borders) return std::nullopt;

@@ -67,9 +67,11 @@ class Arcs {
     Options options;
     constexpr SideRoles borders{{{SideRole::border, SideRole::border}, {SideRole::border, SideRole::border}}};
     graph_.emplace(piece_, factors_, true, borders, options, context_);
+    reached_.assign(graph_->vertices().size(), false);
     result_.complete = graph_->complete() && is_smooth();
     if (!result_.complete) return std::move(result_);
     for (const BranchChain& chain : graph_->chains()) add(chain);
+    if (!has_no_other_points()) result_.complete = false;
     for (std::size_t i = 0; i < crossings_.size(); ++i) cut_at(i);
     return std::move(result_);
   }
@@ -129,6 +131,8 @@ class Arcs {
       for (std::size_t k = arc.points.empty() ? 0 : 1; k < traced.points.size(); ++k)
         arc.points.push_back(placed(traced.points[k]));
     }
+    for (const std::size_t e : chain.arcs)
+      for (const std::size_t v : {graph_->topology().edges[e].from, graph_->topology().edges[e].to}) reached_[v] = true;
     if (arc.points.size() < 2) {
       result_.complete = false;
       return;
@@ -140,6 +144,21 @@ class Arcs {
       arc.end = end_at(chain.end, arc.points.back());
     }
     result_.arcs.push_back(std::move(arc));
+  }
+
+  /// The curve may touch the other domain from outside, in a point on no arc.
+  bool has_no_other_points() const {
+    constexpr long bits = 256;
+    for (std::size_t v = 0; v < reached_.size(); ++v) {
+      if (reached_[v] || !graph_->vertices()[v].on_curve) continue;
+      const TopologyVertex& there = graph_->topology().vertices[v];
+      const bridge::PlaneBall ball{there.x.ball, there.y.ball};
+      const bool is_outside = std::any_of(sides_.begin(), sides_.end(), [&](const OtherSide& side) {
+        return arb_is_negative(bridge::BallCurve(side.function).value(ball, bits).real()) != 0;
+      });
+      if (!is_outside) return false;
+    }
+    return true;
   }
 
   /// Whether the other parameters of an edge are in their domain; they do not leave it on the edge.
@@ -285,6 +304,8 @@ class Arcs {
   std::vector<OtherSide> sides_;
   std::vector<SectionFactor> factors_;
   std::optional<SectionGraph> graph_;
+  /// Vertices on arcs that are in both domains.
+  std::vector<bool> reached_;
   ContactArcs result_;
 };
 

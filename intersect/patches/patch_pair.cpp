@@ -28,6 +28,7 @@
 #include <eliminant/intersect/patches/contained_borders.hpp>
 #include <eliminant/intersect/patches/one_point_borders.hpp>
 #include <eliminant/intersect/patches/only_common_point.hpp>
+#include <eliminant/intersect/patches/patch_section.hpp>
 #include <eliminant/intersect/patches/surface_summary.hpp>
 
 namespace eliminant::intersect {
@@ -74,7 +75,7 @@ class PatchPair {
     try {
       subdivide();
       // Parts of one surface may touch in a corner, where no border is in the other.
-      if (result_.status == Status::numeric) settle_common_surface();
+      if (result_.status == Status::numeric && !settle_common_surface()) settle_section();
     } catch (const Settled&) {
     }
   }
@@ -84,15 +85,10 @@ class PatchPair {
   bool settle_common_point() {
     const auto found = only_common_point({nets_.exact_first, nets_.first}, {nets_.exact_second, nets_.second});
     if (!found) return false;
-    bridge::BorderPoint point;
-    point.side = found->side();
+    std::array<double, 4> parameters{};
     for (std::size_t k = 0; k < 4; ++k)
-      if (found->parameters[k]) point.parameters[k] = bridge::nearest(*found->parameters[k]);
-    point.radius = 0x1p-53;
-    point.touching = true;
-    add_touching_point(point);
-    for (std::size_t k = 0; k < 4; ++k)
-      if (!found->parameters[k]) result_.components.back().points[0].parameters[k] = std::nan("");
+      parameters[k] = found->parameters[k] ? bridge::nearest(*found->parameters[k]) : std::nan("");
+    add_tip(parameters, found->side());
     result_.status = Status::certified;
     summarise(result_);
     return true;
@@ -108,7 +104,10 @@ class PatchPair {
         [&](std::size_t axis, int side) {
           if (settle_common_surface()) throw Settled();
           const bridge::ExactNet& net = axis < 2 ? nets_.exact_first : nets_.exact_second;
-          if (is_one_point(net, axis % 2, side)) return contained_point(pair_, axis, side);
+          if (is_one_point(net, axis % 2, side)) {
+            if (settle_section()) throw Settled();
+            return contained_point(pair_, axis, side);
+          }
           if (bridge::is_common_border(nets_, axis, side)) return bridge::ContainedParts{{{0, 1}}, true};
           return borders.contained(axis, side);
         },
@@ -156,9 +155,7 @@ class PatchPair {
     const auto overlap =
         patch_overlap({nets_.exact_first, nets_.first}, {nets_.exact_second, nets_.second}, tolerance_, context_);
     if (!overlap) return false;
-    result_.components.clear();
-    result_.singular_points.clear();
-    result_.warnings.clear();
+    forget();
     for (const DrawnCurve& outline : overlap->outlines)
       result_.components.push_back(pair_.placed(SurfaceComponentKind::overlap, outline));
     for (const auto& [kind, pieces] : {std::pair(SurfaceComponentKind::curve, &overlap->curves),
@@ -179,6 +176,50 @@ class PatchPair {
     summarise(result_);
     if (!overlap->outlines.empty()) result_.rest_status = std::exchange(result_.status, Status::infinite);
     return true;
+  }
+
+  void forget() {
+    result_.components.clear();
+    result_.singular_points.clear();
+    result_.warnings.clear();
+  }
+
+  /// Asked once: whether all of the intersection is a curve on one patch that has no singular point.
+  bool settle_section() {
+    if (section_asked_) return false;
+    section_asked_ = true;
+    const auto section = patch_section(nets_, tolerance_, pair_.size(), context_);
+    if (!section) return false;
+    forget();
+    for (const ContactArc& arc : section->arcs) {
+      SurfaceComponent component = placed(arc);
+      component.tangential = section->tangential;
+      component.certified = true;
+      if (!arc.closed && !section->tangential)
+        for (const auto& [end, at] :
+             {std::pair(&component.start, &arc.points.front()), std::pair(&component.end, &arc.points.back())})
+          end->transition = transition_at(at->parameters, end->side);
+      result_.components.push_back(std::move(component));
+    }
+    for (const PatchSection::Point& at : section->points) add_tip(at.parameters, at.side);
+    result_.status = Status::certified;
+    summarise(result_);
+    return true;
+  }
+
+  /// An arc of a curve that is known by its equation, with ends on borders.
+  SurfaceComponent placed(const ContactArc& arc) const {
+    SurfaceComponent component;
+    component.kind = arc.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
+    for (const bridge::TracedPoint& point : arc.points)
+      component.points.push_back(pair_.placed(point.parameters, point.point));
+    component.error = arc.error + pair_.rounding_of(component);
+    component.start.side = arc.start.side;
+    component.end.side = arc.end.side;
+    if (arc.closed) return component;
+    pair_.put_on_border(component.points.front(), component.start);
+    pair_.put_on_border(component.points.back(), component.end);
+    return component;
   }
 
   static std::string border_name(std::size_t axis, int side) {
@@ -218,6 +259,18 @@ class PatchPair {
     component.error = pair_.error_in_space(point) + pair_.rounding_of(component);
     component.certified = true;
     result_.components.push_back(std::move(component));
+  }
+
+  /// A parameter that runs along a border that is one point is not a number.
+  void add_tip(const std::array<double, 4>& parameters, const std::array<int, 4>& side) {
+    bridge::BorderPoint point;
+    point.side = side;
+    for (std::size_t k = 0; k < 4; ++k) point.parameters[k] = std::isnan(parameters[k]) ? 0 : parameters[k];
+    point.radius = 0x1p-53;
+    point.touching = true;
+    add_touching_point(point);
+    for (std::size_t k = 0; k < 4; ++k)
+      if (std::isnan(parameters[k])) result_.components.back().points[0].parameters[k] = parameters[k];
   }
 
   /// Singular points are those of the contacts first, in their order.
@@ -306,27 +359,15 @@ class PatchPair {
     if (!found.complete)
       result_.warnings.emplace_back("the surfaces touch along a curve whose pieces in both domains are not proven");
     for (const ContactArc& arc : found.arcs) {
-      SurfaceComponent component;
-      component.kind = arc.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
+      SurfaceComponent component = placed(arc);
       component.tangential = true;
       component.certified = arc.proven && found.complete;
       if (!component.certified) component.reason = "the pieces of a curve of contact are not proven";
-      for (const bridge::TracedPoint& point : arc.points)
-        component.points.push_back(pair_.placed(point.parameters, point.point));
-      component.error = arc.error + pair_.rounding_of(component);
-      const auto end_of = [&](const ContactArcEnd& end) {
-        BranchEnd result;
-        result.side = end.side;
-        if (!end.crossing) return result;
-        result.kind = BranchEndKind::singular;
-        result.singular_point = singular[*end.crossing];
-        return result;
-      };
-      component.start = end_of(arc.start);
-      component.end = end_of(arc.end);
-      if (!arc.closed) {
-        pair_.put_on_border(component.points.front(), component.start);
-        pair_.put_on_border(component.points.back(), component.end);
+      for (const auto& [end, crossing] :
+           {std::pair(&component.start, arc.start.crossing), std::pair(&component.end, arc.end.crossing)}) {
+        if (!crossing) continue;
+        end->kind = BranchEndKind::singular;
+        end->singular_point = singular[*crossing];
       }
       result_.components.push_back(std::move(component));
     }
@@ -394,6 +435,13 @@ class PatchPair {
     return traced;
   }
 
+  Transition transition_at(const std::array<double, 4>& parameters, const std::array<int, 4>& side) const {
+    bridge::CrossingPoint point;
+    point.parameters = parameters;
+    const auto on_border = std::find_if(side.begin(), side.end(), [](int s) { return s != 0; });
+    return pair_.transition_at(point, static_cast<std::size_t>(on_border - side.begin()));
+  }
+
   BranchEnd end_at(std::size_t index, SurfaceComponent& component) {
     const bridge::CrossingPoint& point = graph_.points[index];
     BranchEnd end;
@@ -412,14 +460,13 @@ class PatchPair {
       end.singular_point = first_crossing_ + static_cast<std::size_t>(crossing - graph_.crossings.begin());
       return end;
     }
-    const auto on_border = std::find_if(point.side.begin(), point.side.end(), [](int side) { return side != 0; });
-    if (on_border == point.side.end()) {
+    if (std::all_of(point.side.begin(), point.side.end(), [](int side) { return side == 0; })) {
       end.kind = BranchEndKind::unknown;
       component.certified = false;
       component.reason = "an end is next to a point of contact that is not proven";
       return end;
     }
-    end.transition = pair_.transition_at(point, static_cast<std::size_t>(on_border - point.side.begin()));
+    end.transition = transition_at(point.parameters, point.side);
     return end;
   }
 
@@ -435,6 +482,7 @@ class PatchPair {
   /// Of the first branch that crosses a curve of contact, there.
   std::size_t first_crossing_ = 0;
   bool common_surface_asked_ = false;
+  bool section_asked_ = false;
   SurfaceResult result_;
 };
 

@@ -149,10 +149,11 @@ TEST_CASE("Patch pairs: contact along a curve is a tangential component from bor
 
 TEST_CASE("Patch pairs: what cannot be decided is not certified") {
   // Contact of higher order along a line and in a point, and along a line at an irrational parameter; weights of both
-  // signs.
+  // signs. Neither surface has a low degree.
+  const PatchText hill{"u", "v", "u^2*v^2"};
   for (const std::string height : {"(u - 1/2)^4", "(u - 1/2)^4 + (v - 1/2)^4", "(u^2 - 1/3)^2"}) {
     CAPTURE(height);
-    const SurfaceResult result = solved(patch(ground), patch({"u", "v", height}));
+    const SurfaceResult result = solved(patch(hill), patch({"u", "v", "u^2*v^2 + " + height}));
     CHECK(result.status == Status::numeric);
     CHECK((!result.singular_points.empty() || !result.warnings.empty()));
   }
@@ -161,6 +162,19 @@ TEST_CASE("Patch pairs: what cannot be decided is not certified") {
   CHECK_FALSE(mixed.warnings.empty());
   // All of one sign are the same as positive ones.
   CHECK(summary(solved(patch(ground), patch({"-u", "-v", "1/3 - u", "-1"}))) == "1 0 0 0 0 certified");
+}
+
+TEST_CASE("Patch pairs: contact of any order with a plane is a section, along a line at any parameter") {
+  for (const auto& [height, at] : std::vector<std::pair<std::string, double>>{
+           {"(u - 1/2)^4", 0.5}, {"(u^2 - 1/3)^2", std::sqrt(1.0 / 3)}, {"(u - 1/2)^3", 0.5}}) {
+    CAPTURE(height);
+    const SurfaceResult result = solved(patch(ground), patch({"u", "v", height}));
+    REQUIRE(summary(result) == "1 0 0 0 0 certified");
+    const SurfaceComponent& line = result.components[0];
+    CHECK(line.tangential);
+    CHECK(farthest(line, [&](const SpacePoint& p) { return std::hypot(p[0] - at, p[2]); }) <= line.error);
+    CHECK(length_of(line) == doctest::Approx(1).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("Patch pairs: no patches are refused, and a limit keeps what it found") {
