@@ -114,9 +114,24 @@ bool BalancedPair::is_tangential(const std::array<double, 4>& parameters) const 
   return !(a.cross(b).norm() > least_angle);
 }
 
-Transition BalancedPair::transition_at(const bridge::CrossingPoint& point, std::size_t axis) const {
-  const bridge::PatchJets::Value a = bridge::PatchJets(first_net_).at(point.parameters[0], point.parameters[1]);
-  const bridge::PatchJets::Value b = bridge::PatchJets(second_net_).at(point.parameters[2], point.parameters[3]);
+SurfaceComponent BalancedPair::placed(const ContactArc& arc) const {
+  SurfaceComponent component;
+  component.kind = arc.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
+  for (const bridge::TracedPoint& point : arc.points) component.points.push_back(placed(point.parameters, point.point));
+  component.error = arc.error + rounding_of(component);
+  component.start.side = arc.start.side;
+  component.end.side = arc.end.side;
+  if (arc.closed) return component;
+  put_on_border(component.points.front(), component.start);
+  put_on_border(component.points.back(), component.end);
+  return component;
+}
+
+Transition BalancedPair::transition_at(const std::array<double, 4>& parameters, const std::array<int, 4>& side) const {
+  const auto on_border = std::find_if(side.begin(), side.end(), [](int s) { return s != 0; });
+  const auto axis = static_cast<std::size_t>(on_border - side.begin());
+  const bridge::PatchJets::Value a = bridge::PatchJets(first_net_).at(parameters[0], parameters[1]);
+  const bridge::PatchJets::Value b = bridge::PatchJets(second_net_).at(parameters[2], parameters[3]);
   const bridge::PatchJets::Value& own = axis < 2 ? a : b;
   const bridge::PatchJets::Value& other = axis < 2 ? b : a;
   const Array4d& along_border = own.first[1 - axis % 2];

@@ -10,6 +10,7 @@
 #include <eliminant/bridge/nets/zoomed_patches.hpp>
 #include <eliminant/intersect/curve_surface/prepared_net.hpp>
 #include <eliminant/intersect/overlaps/border_arc.hpp>
+#include <eliminant/intersect/patches/contact_arcs.hpp>
 #include <eliminant/intersect/patches/surface_result.hpp>
 
 namespace eliminant::intersect {
@@ -33,6 +34,8 @@ class BalancedPair {
   SurfacePoint placed(const std::array<double, 4>& parameters) const;
   /// Without ends; `error` includes the rounding of the translation.
   SurfaceComponent placed(SurfaceComponentKind kind, const DrawnCurve& drawn) const;
+  /// An arc of a curve that is known by its equation: not said to be certified, ends on borders.
+  SurfaceComponent placed(const ContactArc& arc) const;
   /// Newton's method has moved the end of a polyline off the border a little.
   void put_on_border(SurfacePoint& point, const BranchEnd& end) const;
 
@@ -42,8 +45,8 @@ class BalancedPair {
   double error_in_space(const bridge::CrossingPoint& point) const;
   /// Whether the tangent planes are equal, or differ by so little that doubles cannot tell.
   bool is_tangential(const std::array<double, 4>& parameters) const;
-  /// How the border curve where the parameter of the axis is kept crosses the other surface.
-  Transition transition_at(const bridge::CrossingPoint& point, std::size_t axis) const;
+  /// How the border curve of the first side that is not 0 crosses the other surface.
+  Transition transition_at(const std::array<double, 4>& parameters, const std::array<int, 4>& side) const;
 
  private:
   PreparedNet first_;

@@ -29,6 +29,7 @@
 #include <eliminant/intersect/patches/one_point_borders.hpp>
 #include <eliminant/intersect/patches/only_common_point.hpp>
 #include <eliminant/intersect/patches/patch_section.hpp>
+#include <eliminant/intersect/patches/planar_seam.hpp>
 #include <eliminant/intersect/patches/surface_summary.hpp>
 
 namespace eliminant::intersect {
@@ -71,7 +72,7 @@ class PatchPair {
   struct Settled {};
 
   void solve() {
-    if (!common_surface_asked_ && settle_common_point()) return;
+    if (!common_surface_asked_ && (settle_common_point() || settle_seam())) return;
     try {
       subdivide();
       // Parts of one surface may touch in a corner, where no border is in the other.
@@ -89,6 +90,18 @@ class PatchPair {
     for (std::size_t k = 0; k < 4; ++k)
       parameters[k] = found->parameters[k] ? bridge::nearest(*found->parameters[k]) : std::nan("");
     add_tip(parameters, found->side());
+    result_.status = Status::certified;
+    summarise(result_);
+    return true;
+  }
+
+  /// Joined pieces of surfaces may have a border in common, in a plane between them, and nothing else.
+  bool settle_seam() {
+    const auto seam = planar_seam(nets_);
+    if (!seam) return false;
+    result_.components = contained_curves(pair_, {*seam}, graph_, tolerance_);
+    result_.components[0].certified = true;
+    result_.components[0].reason.clear();
     result_.status = Status::certified;
     summarise(result_);
     return true;
@@ -192,34 +205,19 @@ class PatchPair {
     if (!section) return false;
     forget();
     for (const ContactArc& arc : section->arcs) {
-      SurfaceComponent component = placed(arc);
+      SurfaceComponent component = pair_.placed(arc);
       component.tangential = section->tangential;
       component.certified = true;
       if (!arc.closed && !section->tangential)
         for (const auto& [end, at] :
              {std::pair(&component.start, &arc.points.front()), std::pair(&component.end, &arc.points.back())})
-          end->transition = transition_at(at->parameters, end->side);
+          end->transition = pair_.transition_at(at->parameters, end->side);
       result_.components.push_back(std::move(component));
     }
     for (const PatchSection::Point& at : section->points) add_tip(at.parameters, at.side);
     result_.status = Status::certified;
     summarise(result_);
     return true;
-  }
-
-  /// An arc of a curve that is known by its equation, with ends on borders.
-  SurfaceComponent placed(const ContactArc& arc) const {
-    SurfaceComponent component;
-    component.kind = arc.closed ? SurfaceComponentKind::loop : SurfaceComponentKind::curve;
-    for (const bridge::TracedPoint& point : arc.points)
-      component.points.push_back(pair_.placed(point.parameters, point.point));
-    component.error = arc.error + pair_.rounding_of(component);
-    component.start.side = arc.start.side;
-    component.end.side = arc.end.side;
-    if (arc.closed) return component;
-    pair_.put_on_border(component.points.front(), component.start);
-    pair_.put_on_border(component.points.back(), component.end);
-    return component;
   }
 
   static std::string border_name(std::size_t axis, int side) {
@@ -359,7 +357,7 @@ class PatchPair {
     if (!found.complete)
       result_.warnings.emplace_back("the surfaces touch along a curve whose pieces in both domains are not proven");
     for (const ContactArc& arc : found.arcs) {
-      SurfaceComponent component = placed(arc);
+      SurfaceComponent component = pair_.placed(arc);
       component.tangential = true;
       component.certified = arc.proven && found.complete;
       if (!component.certified) component.reason = "the pieces of a curve of contact are not proven";
@@ -435,13 +433,6 @@ class PatchPair {
     return traced;
   }
 
-  Transition transition_at(const std::array<double, 4>& parameters, const std::array<int, 4>& side) const {
-    bridge::CrossingPoint point;
-    point.parameters = parameters;
-    const auto on_border = std::find_if(side.begin(), side.end(), [](int s) { return s != 0; });
-    return pair_.transition_at(point, static_cast<std::size_t>(on_border - side.begin()));
-  }
-
   BranchEnd end_at(std::size_t index, SurfaceComponent& component) {
     const bridge::CrossingPoint& point = graph_.points[index];
     BranchEnd end;
@@ -466,7 +457,7 @@ class PatchPair {
       component.reason = "an end is next to a point of contact that is not proven";
       return end;
     }
-    end.transition = transition_at(point.parameters, point.side);
+    end.transition = pair_.transition_at(point.parameters, point.side);
     return end;
   }
 
