@@ -84,7 +84,9 @@ CLI::App* add_batch(CLI::App& app, Arguments& arguments) {
       app.add_subcommand("batch", "solve many problems, one a line; the results, one a line, in order");
   batch->add_option("FILE", arguments.file, "problems in JSON, one a line; - is standard input")->required();
   batch->add_flag("--resume", arguments.resume, "keep the results that the output has, solve the others");
-  batch->add_flag("--timings", arguments.timings, "write the field seconds, which differs from run to run");
+  batch->add_flag(
+      "--timings", arguments.timings,
+      "write the fields that differ from run to run or from machine to machine: seconds, accuracy before refinement");
   batch->add_option("--shard", arguments.shard, "solve part I of N of the file alone")->type_name("I/N");
   return batch;
 }

@@ -185,8 +185,12 @@ class Run {
     solving_ = true;
     auto result = compute(context);
     solving_ = false;
-    if constexpr (requires { result.seconds.clear(); })
-      if (line_ != nullptr && !arguments_.timings) result.seconds.clear();
+    if (line_ != nullptr && !arguments_.timings) {
+      // Lines depend on the problem alone: not on the run, nor on the processor, by which linear algebra rounds.
+      if constexpr (requires { result.seconds.clear(); }) result.seconds.clear();
+      if constexpr (requires { result.engine.largest_error_before_refinement; })
+        result.engine.largest_error_before_refinement.reset();
+    }
     return result;
   }
 

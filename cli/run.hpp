@@ -26,9 +26,9 @@ struct LineResult {
 };
 
 /// The same for a problem of a batch, with the settings of `arguments`: the result as one line of JSON, also where it
-/// is an error, whose place is in the file. One thread, no message; `seconds` only with `timings`. Limits hold for this
-/// problem alone; beyond the time limit of a call that does not come back SIGALRM ends the process. Throws
-/// std::bad_alloc only when there is no memory for the result of an error.
+/// is an error, whose place is in the file. One thread, no message; what depends on the machine only with `timings`.
+/// Limits hold for this problem alone; beyond the time limit of a call that does not come back SIGALRM ends the
+/// process. Throws std::bad_alloc only when there is no memory for the result of an error.
 LineResult result_line(const BatchLine& line, const Arguments& arguments);
 
 }  // namespace eliminant::cli
