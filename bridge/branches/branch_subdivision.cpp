@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <eliminant/bridge/branches/surface_cell.hpp>
-#include <eliminant/bridge/contacts/tangential_elimination.hpp>
+#include <eliminant/bridge/contacts/kept_distance.hpp>
 #include <eliminant/bridge/nets/bernstein_subdivision.hpp>
 
 namespace eliminant::bridge {
@@ -202,7 +202,7 @@ class Subdivision {
   /// True when nearly parallel parts are proven to keep a distance; asked where subdivision takes long.
   bool is_gap(const Cell& cell, double widest) const {
     constexpr unsigned long long_run = 400;
-    constexpr double small = 0.0625;
+    constexpr double small = 0.25;
     if (graph_.cells < long_run || !cell.points.empty() || !(widest < small)) return false;
     return keep_distance(first_, second_, box_of(cell));
   }

@@ -48,8 +48,4 @@ struct TangentialElimination {
                                                  const std::array<double, 4>& centre, const CellBox& box);
 };
 
-/// Whether no pair of parameters in the box has a common point, as the parts keep a distance along their normals. False
-/// decides nothing.
-bool keep_distance(const ControlNet& first, const ControlNet& second, const CellBox& box);
-
 }  // namespace eliminant::bridge

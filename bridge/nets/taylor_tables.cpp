@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <eliminant/bridge/enclosures/ball.hpp>
@@ -166,6 +167,22 @@ TaylorTable<double> taylor_close_to(const ControlNet& net, const std::array<doub
   return table;
 }
 
+/// The Bernstein polynomials of a degree on [-1, 1] in powers: entry [k][i] is the coefficient of x^k in the i-th one.
+/// Exact for degrees that are not huge.
+std::vector<std::vector<double>> bernstein_in_powers(std::size_t degree) {
+  std::vector<std::vector<double>> result(degree + 1, std::vector<double>(degree + 1));
+  for (std::size_t i = 0; i <= degree; ++i) {
+    std::vector<double> product{std::ldexp(binomial(degree, i), -static_cast<int>(degree))};
+    for (std::size_t factor = 0; factor < degree; ++factor) {
+      const double sign = factor < i ? 1 : -1;
+      product.push_back(0);
+      for (std::size_t k = product.size() - 1; k > 0; --k) product[k] += sign * product[k - 1];
+    }
+    for (std::size_t k = 0; k <= degree; ++k) result[k][i] = product[k];
+  }
+  return result;
+}
+
 }  // namespace
 
 DoubleInterval enclosed(const Rational& value) {
@@ -183,6 +200,35 @@ TaylorTable<DoubleInterval> taylor_on_box(const ControlNet& net, const ContactFr
   if (net.parameters() == 1) return taylor_on<1>(net, frame, {box.lower[first]}, {box.upper[first]}, order);
   return taylor_on<2>(net, frame, {box.lower[first], box.lower[first + 1]}, {box.upper[first], box.upper[first + 1]},
                       order);
+}
+
+LocalPowers local_powers(const ControlNet& net, const ContactFrame& frame, const OpenBox& box, std::size_t first) {
+  const NetShape<2> shape = shape_of<2>(net);
+  RestrictedNet part =
+      restricted<2>(net, shape, {box.lower[first], box.lower[first + 1]}, {box.upper[first], box.upper[first + 1]});
+  to_frame(frame, part);
+  Array4d size = Array4d::Zero();
+  for (const Array4d& point : part.points) size = size.max(point.abs());
+  std::vector<Array4d> line;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::size_t degree = shape.degree[axis];
+    const std::size_t stride = shape.stride(axis);
+    const auto powers = bernstein_in_powers(degree);
+    line.resize(degree + 1);
+    shape.for_each_line(axis, [&](std::size_t base) {
+      for (std::size_t i = 0; i <= degree; ++i) line[i] = part.points[base + i * stride];
+      for (std::size_t k = 0; k <= degree; ++k) {
+        Array4d sum = Array4d::Zero();
+        for (std::size_t i = 0; i <= degree; ++i) sum += powers[k][i] * line[i];
+        part.points[base + k * stride] = sum;
+      }
+    });
+  }
+  // The coefficients of all Bernstein polynomials of degree n have absolute values that sum up to 2^n.
+  const std::size_t degrees = shape.degree[0] + shape.degree[1];
+  const double rounding =
+      static_cast<double>(2 * degrees + 8) * unit_roundoff * std::ldexp(1.0, static_cast<int>(degrees));
+  return {shape.degree, std::move(part.points), part.error + rounding * size};
 }
 
 TaylorTable<double> taylor_near(const ControlNet& net, double a, double b, std::size_t order) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -21,10 +23,28 @@ struct ContactFrame {
   Columns columns{Array4d::Zero(), Array4d::Zero(), Array4d::Zero()};
 };
 
+/// A coordinate of a direction in a frame.
+inline double coordinate(const ContactFrame& frame, const Array4d& direction, long row) {
+  return direction[0] * frame.columns[0][row] + direction[1] * frame.columns[1][row] +
+         direction[2] * frame.columns[2][row];
+}
+
 /// The Taylor coefficients of one side at all points of a box of parameters, in a frame, enclosed by differences of
 /// control points. The parameters of the side are those of the box from index `first` on.
 TaylorTable<DoubleInterval> taylor_on_box(const ControlNet& net, const ContactFrame& frame, const OpenBox& box,
                                           std::size_t first, std::size_t order);
+
+/// A patch on a box of parameters, in powers of local parameters that run from -1 to 1.
+struct LocalPowers {
+  std::array<std::size_t, 2> degree{};
+  /// Of x^i y^j at i * (degree[1] + 1) + j, homogeneous.
+  std::vector<Array4d> coefficients;
+  /// Bounds how far the polynomials are from the patch anywhere on the box.
+  Array4d error;
+};
+
+/// In a frame, the parameters of the patch being those of the box from index `first` on.
+LocalPowers local_powers(const ControlNet& net, const ContactFrame& frame, const OpenBox& box, std::size_t first);
 
 /// The Taylor coefficients at a point, approximately; the second parameter counts for a patch.
 TaylorTable<double> taylor_near(const ControlNet& net, double a, double b, std::size_t order);

@@ -16,6 +16,7 @@
 #include <eliminant/bridge/contacts/contact_curves.hpp>
 #include <eliminant/bridge/contacts/corank_one_tracing.hpp>
 #include <eliminant/bridge/contacts/crossing_tracing.hpp>
+#include <eliminant/bridge/contacts/kept_distance.hpp>
 #include <eliminant/bridge/contacts/surface_contact.hpp>
 #include <eliminant/bridge/rounding/rational_double.hpp>
 #include <eliminant/intersect/overlaps/border_arc.hpp>
@@ -73,6 +74,11 @@ class PatchPair {
 
   void solve() {
     if (!common_surface_asked_ && (settle_common_point() || settle_seam())) return;
+    if (bridge::keep_distance(nets_.first, nets_.second)) {
+      result_.status = Status::certified;
+      summarise(result_);
+      return;
+    }
     try {
       subdivide();
       // Parts of one surface may touch in a corner, where no border is in the other.
