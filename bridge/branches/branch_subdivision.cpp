@@ -149,7 +149,11 @@ class Subdivision {
     for (std::size_t other = 0; other < 4; ++other)
       for (const double at : cut_places(other))
         if (other != axis && cut(other, at)) return;
-    leave_open(cell);
+    // Away from a singular point in the middle.
+    for (std::size_t k = 0; k < 4; ++k)
+      for (const double at : {0.203125, 0.796875, 0.1015625, 0.8984375})
+        if (cut(k, at)) return;
+    leave_open(stack_.back());
   }
 
   /// Not in the middle, where inputs have their symmetries, and nowhere at the same place on both patches, whose
@@ -457,8 +461,15 @@ class Subdivision {
       find_contact = [&](const std::array<double, 3>& near, double reach) {
         return explained_on_cut(cell, axis, at, near, reach);
       };
-    const SubdivisionResult found = bernstein_subdivision(curve, patch, find_contact, limits, context_);
-    if (!found.complete || !found.open.empty()) return std::nullopt;
+    SubdivisionResult found = bernstein_subdivision(curve, patch, find_contact, limits, context_);
+    if (!found.complete || !found.open.empty()) {
+      // Flat parts that are nearly parallel can still be told apart.
+      constexpr double flat = 0x1p-12;
+      if (!(limits.part > flat)) return std::nullopt;
+      limits.part = flat;
+      found = bernstein_subdivision(curve, patch, find_contact, limits, context_);
+      if (!found.complete || !found.open.empty()) return std::nullopt;
+    }
     std::vector<CrossingPoint> points;
     for (const IsolatedZero& zero : found.zeros) {
       CrossingPoint point;

@@ -125,6 +125,8 @@ class ContactCurve {
   std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
   /// From the fourth derivatives in `heights`, and lower ones at the origin.
   Forms forms_on(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
+  /// From the fifth derivatives, and lower ones at the origin: for larger regions.
+  Forms close_forms_on(const Region& region) const;
   /// The second derivative of h along a region that hardly has a length.
   DoubleInterval bend_on_cut(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
   /// The second derivative of h across the curve where it meets the line through the origin of a region, from exact

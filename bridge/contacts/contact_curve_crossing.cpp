@@ -88,6 +88,41 @@ DoubleInterval ContactCurve::bend_at_origin(const Region& region) const {
   return DoubleInterval(2) * heights.height.at(2, 0);
 }
 
+ContactCurve::Forms ContactCurve::close_forms_on(const Region& region) const {
+  Forms forms;
+  const auto tables = tables_near(region.origin, 4);
+  if (!tables) return forms;
+  const PlaneSeries<double> near = tables->heights(region.across, region.along, 4);
+  const auto heights = height_series<5>(region.base, region.other, 5, region.polynomial).height;
+  // The derivative of this order by x^i y^j, at the origin and all over the parallelogram.
+  const auto here = [&](std::size_t i, std::size_t j) {
+    const double product = factorial(i) * factorial(j);
+    return DoubleInterval::around(product * near.at(i, j), product * rounding_of_derivative(i + j));
+  };
+  const auto fifth = [&](std::size_t i, std::size_t j) {
+    return DoubleInterval(factorial(i) * factorial(j)) * heights.at(i, j);
+  };
+  const DoubleInterval x = symmetric(region.reach);
+  const DoubleInterval y = symmetric(region.length);
+  const auto half_square = [](double half) { return DoubleInterval(0, 0.5 * half * half * (1 + 1e-12)); };
+  const DoubleInterval xx = half_square(region.reach);
+  const DoubleInterval yy = half_square(region.length);
+  const auto fourth = [&](std::size_t i, std::size_t j) {
+    return here(i, j) + x * fifth(i + 1, j) + y * fifth(i, j + 1);
+  };
+  const auto third = [&](std::size_t i, std::size_t j) {
+    return here(i, j) + x * here(i + 1, j) + y * here(i, j + 1) + xx * fifth(i + 2, j) + x * y * fifth(i + 1, j + 1) +
+           yy * fifth(i, j + 2);
+  };
+  forms.xxxx = fourth(4, 0);
+  forms.xxxy = fourth(3, 1);
+  forms.xxyy = fourth(2, 2);
+  forms.xxx = third(3, 0);
+  forms.xxy = third(2, 1);
+  forms.xx = here(2, 0) + x * here(3, 0) + y * here(2, 1) + xx * forms.xxxx + x * y * forms.xxxy + yy * forms.xxyy;
+  return forms;
+}
+
 std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const {
   const CellBox box = in_base_order(asked);
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
@@ -113,9 +148,9 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
       across = direction;
     }
   }
-  const auto around = region(box, origin, across, along, 4);
+  const auto around = region(box, origin, across, along, 5);
   if (!around) return std::nullopt;
-  const Forms forms = forms_on(*around, around->heights(4));
+  const Forms forms = close_forms_on(*around);
   if (!forms.xxx.is_finite() || !forms.xxx.excludes_zero()) return std::nullopt;
   const DoubleInterval turning = forms.xxy + forms.xxx * around->slope;
   if (!turning.is_finite() || !turning.excludes_zero()) return std::nullopt;

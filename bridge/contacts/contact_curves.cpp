@@ -109,11 +109,20 @@ bool ContactCurves::explains(const CellBox& box) {
   double size = 0;
   for (std::size_t k = 0; k < 4; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   for (std::size_t i = 0; i < curves_.size(); ++i) {
-    constexpr double growth = 2;
     if (curves_[i].is_explained(box)) return true;
-    if (size > growth * explained_size_[i] || failures_ > most_failures) continue;
+    if (failures_ > most_failures) continue;
+    // Boxes much larger than the last one that was explained, or nearly as large as one that was not, hardly ever are;
+    // but the size that is tried grows again while there are only such.
+    constexpr double growth = 1.5;
+    constexpr double patience = 1.05;
+    constexpr double shrinking = 0.7;
+    if (size > growth * explained_size_[i]) {
+      explained_size_[i] *= patience;
+      continue;
+    }
     if (!curves_[i].explains(box)) {
       ++failures_;
+      explained_size_[i] = std::min(explained_size_[i], shrinking / growth * size);
       continue;
     }
     explained_size_[i] = size;

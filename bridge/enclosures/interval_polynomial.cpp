@@ -34,28 +34,29 @@ IntervalPolynomial IntervalPolynomial::in_frame(const std::array<double, 2>& ori
                                                 const std::array<double, 2>& across,
                                                 const std::array<double, 2>& along) const {
   const std::size_t size = total_degree_ + 1;
-  // Horner's scheme in the first argument, of Horner's schemes in the second.
-  const auto times_argument = [&](const IntervalPolynomial& p, std::size_t k) {
-    IntervalPolynomial result(size, size);
-    result.total_degree_ = total_degree_;
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t j = 0; i + j < size; ++j) {
+  IntervalPolynomial result(size, size);
+  IntervalPolynomial row(size, size);
+  result.total_degree_ = row.total_degree_ = total_degree_;
+  // In place: terms of each degree come from those of the same degree and of the one below.
+  const auto multiply = [&](IntervalPolynomial& p, std::size_t degree, std::size_t k) {
+    for (std::size_t n = std::min(degree + 1, total_degree_) + 1; n-- > 0;)
+      for (std::size_t i = 0; i <= n; ++i) {
+        const std::size_t j = n - i;
         DoubleInterval sum = p.at(i, j) * DoubleInterval(origin[k]);
         if (i > 0) sum = sum + p.at(i - 1, j) * DoubleInterval(across[k]);
         if (j > 0) sum = sum + p.at(i, j - 1) * DoubleInterval(along[k]);
-        result.at(i, j) = sum;
+        p.at(i, j) = sum;
       }
-    return result;
   };
-  IntervalPolynomial result(size, size);
-  result.total_degree_ = total_degree_;
+  // Horner's scheme in the first argument, of Horner's schemes in the second.
   for (std::size_t i = rows_; i-- > 0;) {
-    IntervalPolynomial row(size, size);
-    for (std::size_t j = columns_; j-- > 0;) {
-      row = times_argument(row, 1);
+    std::fill(row.coefficients_.begin(), row.coefficients_.end(), DoubleInterval(0));
+    const std::size_t highest = std::min(columns_ - 1, total_degree_ - std::min(i, total_degree_));
+    for (std::size_t j = highest + 1; j-- > 0;) {
+      if (j < highest) multiply(row, highest - 1 - j, 1);
       row.at(0, 0) = row.at(0, 0) + at(i, j);
     }
-    result = times_argument(result, 0);
+    if (i + 1 < rows_) multiply(result, total_degree_ - std::min(i + 1, total_degree_), 0);
     for (std::size_t k = 0; k < result.coefficients_.size(); ++k)
       result.coefficients_[k] = result.coefficients_[k] + row.coefficients_[k];
   }
