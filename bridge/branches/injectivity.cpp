@@ -60,6 +60,31 @@ bool derivative_is_near_identity(const NetOnRectangle& part, const ContactFrame&
   return true;
 }
 
+/// Where a part is folded most: the derivative along the direction in which it is smallest is shortest. The tangent
+/// plane there is the one in which the part may still be spread out, though it turns away at once.
+std::optional<ContactFrame> frame_at_fold(const NetOnRectangle& part) {
+  const ParameterRectangle& r = part.rectangle;
+  PatchJets jets(part.net);
+  std::array<double, 2> at{0.5 * (r.lower[0] + r.upper[0]), 0.5 * (r.lower[1] + r.upper[1])};
+  constexpr int steps = 4;
+  for (int i = 0; i < steps; ++i) {
+    const PatchJets::Value here = jets.at(at[0], at[1]);
+    const auto dot = [](const Array4d& a, const Array4d& b) { return (a * b).head<3>().sum(); };
+    const double angle = 0.5 * std::atan2(2 * dot(here.first[0], here.first[1]),
+                                          dot(here.first[0], here.first[0]) - dot(here.first[1], here.first[1])) +
+                         std::acos(0.0);
+    const std::array<double, 2> e{std::cos(angle), std::sin(angle)};
+    const Array4d slope = here.first[0] * e[0] + here.first[1] * e[1];
+    const Array4d bend = along(here.second, e[0], e[1]);
+    const double step = -dot(slope, bend) / dot(bend, bend);
+    for (std::size_t k = 0; k < 2; ++k) {
+      at[k] += step * e[k];
+      if (!(at[k] >= r.lower[k] && at[k] <= r.upper[k])) return std::nullopt;
+    }
+  }
+  return tangent_frame(jets.slopes_at(at[0], at[1]));
+}
+
 }  // namespace
 
 bool is_injective_on(const std::vector<NetOnRectangle>& parts) {
@@ -69,7 +94,10 @@ bool is_injective_on(const std::vector<NetOnRectangle>& parts) {
 }
 
 bool is_injective_on(const ControlNet& net, const ParameterRectangle& rectangle) {
-  return is_injective_on({NetOnRectangle{net, rectangle}});
+  const NetOnRectangle part{net, rectangle};
+  if (is_injective_on(std::vector<NetOnRectangle>{part})) return true;
+  const std::optional<ContactFrame> frame = frame_at_fold(part);
+  return frame && derivative_is_near_identity(part, *frame);
 }
 
 }  // namespace eliminant::bridge
