@@ -86,6 +86,8 @@ class ContactCurve {
   /// True where an earlier proof says so already.
   bool is_explained(const CellBox& box) const;
 
+  /// Whether the curve passes the box or not far from it, approximately.
+  bool is_near(const CellBox& box) const;
   /// nullopt where it is not proven that all common points in the box are points of the curve and of one branch that
   /// crosses it.
   std::optional<CurveCrossing> crossing(const CellBox& box) const;
@@ -125,8 +127,10 @@ class ContactCurve {
   std::optional<Tables> tables_near(const std::array<double, 2>& at, std::size_t order) const;
   /// From the fourth derivatives in `heights`, and lower ones at the origin.
   Forms forms_on(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
+  /// Encloses h and its derivatives at every point of a region, cut into so many tiles across and along.
+  PlaneSeries<DoubleInterval, 5> heights_by_tiles(const Region& region, std::size_t tiles) const;
   /// From the fifth derivatives, and lower ones at the origin: for larger regions.
-  Forms close_forms_on(const Region& region) const;
+  Forms close_forms_on(const Region& region, std::size_t tiles) const;
   /// The second derivative of h along a region that hardly has a length.
   DoubleInterval bend_on_cut(const Region& region, const PlaneSeries<DoubleInterval>& heights) const;
   /// The second derivative of h across the curve where it meets the line through the origin of a region, from exact

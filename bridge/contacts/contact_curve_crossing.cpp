@@ -88,12 +88,82 @@ DoubleInterval ContactCurve::bend_at_origin(const Region& region) const {
   return DoubleInterval(2) * heights.height.at(2, 0);
 }
 
-ContactCurve::Forms ContactCurve::close_forms_on(const Region& region) const {
+PlaneSeries<DoubleInterval, 5> ContactCurve::heights_by_tiles(const Region& region, std::size_t tiles) const {
+  constexpr std::size_t order = 5;
+  using Series = PlaneSeries<DoubleInterval, order>;
+  if (tiles == 1) return height_series<order>(region.base, region.other, order, region.polynomial).height;
+  // Along the plane both patches have equal coordinates; the other's parameters differ from these by little.
+  const EnclosedPatch whole(region.base.truncated(2));
+  const EnclosedPatch whole_other(region.other.truncated(2));
+  double turn = 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 2; ++k) sum += (whole_other.first[k][c] - DoubleInterval(c == k ? 1 : 0)).magnitude();
+    turn = std::max(turn, sum);
+  }
+  const double room =
+      1.01 * turn / (1 - turn) * std::max(whole.value[0].magnitude(), whole.value[1].magnitude()) + 1e-12;
+  const auto middle_of_tile = [&](double half, std::size_t i) {
+    return half * ((2 * static_cast<double>(i) + 1) / static_cast<double>(tiles) - 1);
+  };
+  Series nothing_known;
+  for (std::size_t a = 0; a <= order; ++a)
+    for (std::size_t b = 0; a + b <= order; ++b) nothing_known.at(a, b) = symmetric(INFINITY);
+  Series result;
+  for (std::size_t i = 0; i < tiles; ++i)
+    for (std::size_t j = 0; j < tiles; ++j) {
+      const double x = middle_of_tile(region.reach, i);
+      const double y = middle_of_tile(region.length, j);
+      OpenBox of_base{};
+      for (std::size_t k = 0; k < 2; ++k) {
+        const double middle = region.origin[k] + x * region.across[k] + y * region.along[k];
+        const double half = 1.000001 *
+                            (region.reach * std::fabs(region.across[k]) + region.length * std::fabs(region.along[k])) /
+                            static_cast<double>(tiles);
+        of_base.lower[k] = middle - half;
+        of_base.upper[k] = middle + half;
+      }
+      const TaylorTable<DoubleInterval> in_base = taylor_on_box(base_, region.frame, of_base, 0, order);
+      const EnclosedPatch tile(in_base.truncated(2));
+      OpenBox of_other{};
+      bool is_known = true;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto row = static_cast<long>(k);
+        DoubleInterval at(region.middle_of_other[k]);
+        for (std::size_t c = 0; c < 2; ++c)
+          at = at + DoubleInterval(region.by_plane(row, static_cast<long>(c))) * (tile.value[c] + symmetric(room));
+        of_other.lower[k] = std::max(at.lower, region.lower_of_other[k]);
+        of_other.upper[k] = std::min(at.upper, region.upper_of_other[k]);
+        is_known = is_known && of_other.lower[k] < of_other.upper[k];
+      }
+      if (!is_known) return nothing_known;
+      const Series heights =
+          height_series<order>(in_parameters(in_base, columns_of(region.across, region.along), region.polynomial),
+                               in_parameters(taylor_on_box(other_, region.frame, of_other, 0, order), region.by_plane,
+                                             region.polynomial),
+                               order, region.polynomial)
+              .height;
+      for (std::size_t a = 0; a <= order; ++a)
+        for (std::size_t b = 0; a + b <= order; ++b) {
+          DoubleInterval& entry = result.at(a, b);
+          const DoubleInterval& here = heights.at(a, b);
+          if (!here.is_finite())
+            entry = symmetric(INFINITY);
+          else if (i + j == 0)
+            entry = here;
+          else
+            entry = {std::min(entry.lower, here.lower), std::max(entry.upper, here.upper)};
+        }
+    }
+  return result;
+}
+
+ContactCurve::Forms ContactCurve::close_forms_on(const Region& region, std::size_t tiles) const {
   Forms forms;
   const auto tables = tables_near(region.origin, 4);
   if (!tables) return forms;
   const PlaneSeries<double> near = tables->heights(region.across, region.along, 4);
-  const auto heights = height_series<5>(region.base, region.other, 5, region.polynomial).height;
+  const PlaneSeries<DoubleInterval, 5> heights = heights_by_tiles(region, tiles);
   // The derivative of this order by x^i y^j, at the origin and all over the parallelogram.
   const auto here = [&](std::size_t i, std::size_t j) {
     const double product = factorial(i) * factorial(j);
@@ -123,12 +193,19 @@ ContactCurve::Forms ContactCurve::close_forms_on(const Region& region) const {
   return forms;
 }
 
-std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const {
+bool ContactCurve::is_near(const CellBox& asked) const {
   const CellBox box = in_base_order(asked);
   const Place middle{0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])};
   const double size = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
   const Place start = nearest(middle);
-  if (!(std::hypot(start[0] - middle[0], start[1] - middle[1]) < 2 * size)) return std::nullopt;
+  return std::hypot(start[0] - middle[0], start[1] - middle[1]) < 2 * size;
+}
+
+std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const {
+  if (!is_near(asked)) return std::nullopt;
+  const CellBox box = in_base_order(asked);
+  const double size = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
+  const Place start = nearest({0.5 * (box.lower[0] + box.upper[0]), 0.5 * (box.lower[1] + box.upper[1])});
   const auto found = crossing_near(start, 4 * size);
   if (!found) return std::nullopt;
   const Place origin = *found;
@@ -150,10 +227,16 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   }
   const auto around = region(box, origin, across, along, 5);
   if (!around) return std::nullopt;
-  const Forms forms = close_forms_on(*around);
-  if (!forms.xxx.is_finite() || !forms.xxx.excludes_zero()) return std::nullopt;
-  const DoubleInterval turning = forms.xxy + forms.xxx * around->slope;
-  if (!turning.is_finite() || !turning.excludes_zero()) return std::nullopt;
+  Forms forms;
+  DoubleInterval turning;
+  const auto are_known = [&](std::size_t tiles) {
+    forms = close_forms_on(*around, tiles);
+    turning = forms.xxy + forms.xxx * around->slope;
+    return forms.xxx.is_finite() && forms.xxx.excludes_zero() && turning.is_finite() && turning.excludes_zero();
+  };
+  // The fifth derivatives are overestimated by a high power of the size; with tiles by that of theirs.
+  constexpr std::size_t tiles = 4;
+  if (!are_known(1) && !are_known(tiles)) return std::nullopt;
 
   // Newton's step from the origin.
   const double bend = bend_at_origin(*around).magnitude();

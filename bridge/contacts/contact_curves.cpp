@@ -193,6 +193,7 @@ bool ContactCurves::holds(const std::array<symbolic::Rational, 4>& parameters) c
 
 std::optional<ContactCurves::Crossing> ContactCurves::crossing(const CellBox& box) {
   for (std::size_t i = 0; i < curves_.size() && failures_ <= most_failures; ++i) {
+    if (!curves_[i].is_near(box)) continue;
     const auto found = curves_[i].crossing(box);
     if (!found) {
       ++failures_;
