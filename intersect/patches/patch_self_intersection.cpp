@@ -31,9 +31,8 @@ bool touch(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle
   return true;
 }
 
-/// Whether the gap between both is small against them.
-bool are_close(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b) {
-  constexpr double part = 0.0625;
+/// Whether the gap between both is smaller than this part of them.
+bool are_close(const bridge::ParameterRectangle& a, const bridge::ParameterRectangle& b, double part) {
   for (std::size_t k = 0; k < 2; ++k) {
     const double gap = std::max(a.lower[k] - b.upper[k], b.lower[k] - a.upper[k]);
     if (gap > part * std::max(a.upper[k] - a.lower[k], b.upper[k] - b.lower[k])) return false;
@@ -89,20 +88,23 @@ class PatchWithItself {
   }
 
  private:
+  /// A gap of that part of a rectangle is small, and cut so often.
+  static constexpr double near = 0.0625;
+  static constexpr int most_cuts = 4;
+
   /// Pairs of parts, until those that touch have injective hulls or explain what is between them: then all other double
   /// points are between parts that do not touch.
   void separate(const bridge::ControlNet& net) {
     std::vector<PartPair> touching{{0, 0}};
     constexpr int most_levels = 12;
     constexpr std::size_t most_pairs = 30000;
-    constexpr int most_cuts = 4;
     for (int level = 0; level < most_levels && !touching.empty() && touching.size() < most_pairs; ++level) {
       std::vector<PartPair> folded;
       for (const PartPair& pair : touching) {
         const PatchPart& a = first_.part(pair.first);
         const PatchPart& b = second_.part(pair.second);
         if (!touch(a.rectangle, b.rectangle))
-          separate_further(net, pair, most_cuts);
+          separate_further(net, pair, near, most_cuts);
         else if (!bridge::is_injective_on(net, hull(a.rectangle, b.rectangle)))
           folded.push_back(pair);
       }
@@ -110,22 +112,42 @@ class PatchWithItself {
       touching.clear();
       if (level + 1 == most_levels || folded.size() * 16 > most_pairs) {
         for (const PartPair& pair : folded) open_.push_back(box_of(pair));
-        return;
+        break;
       }
       for (const PartPair& pair : folded)
         for (const std::size_t i : first_.children(pair.first))
           for (const std::size_t j : second_.children(pair.second)) touching.push_back({i, j});
       context_.checkpoint("looking for parts without self-intersection");
     }
+    separate_beside_pinches(net);
+  }
+
+  /// Next to a pinch point the surface is folded so sharply that parts have to be far apart to be told apart easily.
+  void separate_beside_pinches(const bridge::ControlNet& net) {
+    constexpr double not_far = 0.5;
+    for (const PartPair& pair : std::exchange(separated_, {})) {
+      const bridge::CellBox box = box_of(pair);
+      if (std::any_of(pinches_.begin(), pinches_.end(),
+                      [&](const Pinch& pinch) { return holds(pinch.rectangle, box); }))
+        separate_further(net, pair, not_far, most_cuts);
+      else
+        separated_.push_back(pair);
+    }
+  }
+
+  static bool holds(const bridge::ParameterRectangle& rectangle, const bridge::CellBox& box) {
+    for (std::size_t k = 0; k < 2; ++k)
+      if (box.lower[k] < rectangle.lower[k] || box.upper[k] > rectangle.upper[k]) return false;
+    return true;
   }
 
   /// A pair that does not touch. With a small gap both are nearly one part of the surface, which many cells would have
   /// to tell apart: injective, or better cut again.
-  void separate_further(const bridge::ControlNet& net, const PartPair& pair, int levels) {
+  void separate_further(const bridge::ControlNet& net, const PartPair& pair, double close, int levels) {
     const bridge::ParameterRectangle a = first_.part(pair.first).rectangle;
     const bridge::ParameterRectangle b = second_.part(pair.second).rectangle;
     if (apart(first_.part(pair.first), second_.part(pair.second))) return;
-    if (!are_close(a, b)) {
+    if (!are_close(a, b, close)) {
       separated_.push_back(pair);
       return;
     }
@@ -135,7 +157,7 @@ class PatchWithItself {
       return;
     }
     for (const std::size_t i : first_.children(pair.first))
-      for (const std::size_t j : second_.children(pair.second)) separate_further(net, {i, j}, levels - 1);
+      for (const std::size_t j : second_.children(pair.second)) separate_further(net, {i, j}, close, levels - 1);
   }
 
   /// The hull of both parts, for both preimages.
@@ -161,12 +183,8 @@ class PatchWithItself {
     }
     std::vector<PartPair> rest;
     for (std::size_t i = 0; i < folded.size(); ++i) {
-      const auto holds = [&](const bridge::ParameterRectangle& r) {
-        for (std::size_t k = 0; k < 2; ++k)
-          if (boxes[i].lower[k] < r.lower[k] || boxes[i].upper[k] > r.upper[k]) return false;
-        return true;
-      };
-      if (std::none_of(explained.begin(), explained.end(), holds)) rest.push_back(folded[i]);
+      if (std::none_of(explained.begin(), explained.end(), [&](const auto& r) { return holds(r, boxes[i]); }))
+        rest.push_back(folded[i]);
     }
     return rest;
   }
