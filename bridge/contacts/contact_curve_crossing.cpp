@@ -229,14 +229,21 @@ std::optional<CurveCrossing> ContactCurve::crossing(const CellBox& asked) const 
   if (!around) return std::nullopt;
   Forms forms;
   DoubleInterval turning;
-  const auto are_known = [&](std::size_t tiles) {
-    forms = close_forms_on(*around, tiles);
-    turning = forms.xxy + forms.xxx * around->slope;
-    return forms.xxx.is_finite() && forms.xxx.excludes_zero() && turning.is_finite() && turning.excludes_zero();
+  // Both are known up to that part of their size.
+  const auto are_within = [&](double part) {
+    for (const DoubleInterval& x : {forms.xxx, turning})
+      if (!x.is_finite() || !(x.upper - x.lower < part * std::fabs(x.lower + x.upper))) return false;
+    return true;
   };
-  // The fifth derivatives are overestimated by a high power of the size; with tiles by that of theirs.
-  constexpr std::size_t tiles = 4;
-  if (!are_known(1) && !are_known(tiles)) return std::nullopt;
+  // The fifth derivatives are overestimated by a high power of the size of tiles: more of them help where little is
+  // missing.
+  for (const auto& [tiles, hopeless] : {std::pair(1, 20.0), std::pair(4, 3.0), std::pair(8, 0.0)}) {
+    forms = close_forms_on(*around, static_cast<std::size_t>(tiles));
+    turning = forms.xxy + forms.xxx * around->slope;
+    if (are_within(1)) break;
+    if (!are_within(hopeless)) return std::nullopt;
+  }
+  if (!forms.xxx.excludes_zero() || !turning.excludes_zero()) return std::nullopt;
 
   // Newton's step from the origin.
   const double bend = bend_at_origin(*around).magnitude();
