@@ -131,8 +131,8 @@ class DividedDifference {
     constexpr std::size_t last = 2;
     if (!(d.along_f[last].lower > 0)) return false;
     // Pairs that differ by more than that along f for 1 along e have different points.
-    const double slope = 1.001 * d.along_e[last].magnitude() / d.along_f[last].lower + 1e-9;
-    const DoubleInterval m(-slope, slope);
+    slope_ = 1.001 * d.along_e[last].magnitude() / d.along_f[last].lower + 1e-9;
+    const DoubleInterval m(-slope_, slope_);
     const std::array<Enclosed, 3> columns{
         sum(d.ee, m, d.ef), sum(d.ef, m, d.ff),
         sum(d.along_f, DoubleInterval(-0.5 * length_, 0.5 * length_), sum(d.ef, m, d.ff))};
@@ -149,6 +149,20 @@ class DividedDifference {
     const Vector3d left = vector_of(middle_.first[0] * e_[0] + middle_.first[1] * e_[1]).cwiseAbs();
     const Vector3d error = bound_of(inverse_.cwiseAbs() * (left + Vector3d::Constant(rounding)));
     return {error[0], error[1]};
+  }
+
+  /// How far from the pinch point, along e and f, the middle of two double points is for |k| = 1, at most: by the mean
+  /// value theorem x(k) - x(0) is -1/2 the bend, solved for. nullopt where pairs on the way to k = 0 leave the
+  /// rectangle, of which `margin` was added around the pairs asked for.
+  std::optional<std::array<double, 2>> drift_of_middle(double margin) const {
+    if (!(2 * slope_ * length_ < margin)) return std::nullopt;
+    const Vector3d half_bend = 0.5 * Vector3d(bend_[0].magnitude(), bend_[1].magnitude(), bend_[2].magnitude());
+    const Vector3d unsure = deviation_ * bound_of(half_bend);
+    const DoubleInterval by_e = DoubleInterval(0.5) - DoubleInterval(0.5) * bend_[0];
+    const DoubleInterval by_f = DoubleInterval(0.5) * bend_[1];
+    // The second point is k m further along f.
+    return std::array<double, 2>{1.001 * (by_e.magnitude() + unsure[0]),
+                                 1.001 * (by_f.magnitude() + unsure[1] + 0.5 * slope_)};
   }
 
   /// Bounds the distance in space from the pinch point of the double points with |k| <= `length`.
@@ -203,8 +217,9 @@ class DividedDifference {
   std::array<double, 2> f_;
   PatchJets::Value middle_;
   Enclosed bend_;
-  /// Largest |k| of a pair in the rectangle.
+  /// Largest |k| of a pair in the rectangle, and largest |m| of double points.
   double length_ = 0;
+  double slope_ = 0;
   Matrix3d inverse_;
   /// Bounds how much each entry of the derivative differs from that of the identity.
   Matrix3d deviation_ = Matrix3d::Zero();
@@ -247,6 +262,43 @@ std::optional<PinchPoint> pinch_point_in(const ControlNet& net, const ParameterR
       return std::nullopt;
   }
   return pinch;
+}
+
+bool is_off_arc(const ControlNet& net, const PinchPoint& pinch, const ParameterRectangle& first,
+                const ParameterRectangle& second) {
+  ParameterRectangle rectangle;
+  double size = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double at = pinch.parameters[k];
+    rectangle.lower[k] = std::min({at - pinch.radius, first.lower[k], second.lower[k]});
+    rectangle.upper[k] = std::max({at + pinch.radius, first.upper[k], second.upper[k]});
+    size = std::max(size, rectangle.upper[k] - rectangle.lower[k]);
+  }
+  const double margin = 0.25 * size;
+  for (std::size_t k = 0; k < 2; ++k) {
+    rectangle.lower[k] -= margin;
+    rectangle.upper[k] += margin;
+  }
+  DividedDifference difference(net, {pinch.parameters[0], pinch.parameters[1], pinch.angle}, rectangle);
+  if (!difference.bound()) return false;
+  const auto drift = difference.drift_of_middle(margin);
+  if (!drift) return false;
+  const std::array<double, 2> e{std::cos(pinch.angle), std::sin(pinch.angle)};
+  const auto along = [&](const ParameterRectangle& r, const std::array<double, 2>& direction) {
+    DoubleInterval sum(0);
+    for (std::size_t k = 0; k < 2; ++k)
+      sum = sum + DoubleInterval(direction[k]) *
+                      (DoubleInterval(r.lower[k], r.upper[k]) - DoubleInterval(pinch.parameters[k]));
+    return sum;
+  };
+  const double k = (along(second, e) - along(first, e)).magnitude();
+  for (std::size_t c = 0; c < 2; ++c) {
+    const std::array<double, 2> direction = c == 0 ? e : std::array<double, 2>{-e[1], e[0]};
+    const DoubleInterval middle = DoubleInterval(0.5) * (along(first, direction) + along(second, direction));
+    const double most = (*drift)[c] * k + pinch.errors[c] + 1e-12;
+    if (middle.lower > most || middle.upper < -most) return true;
+  }
+  return false;
 }
 
 std::optional<double> reach_of_pinch_point(const ControlNet& net, const PinchPoint& pinch, double near) {

@@ -30,6 +30,12 @@ struct PinchPoint {
 /// does not vanish.
 std::optional<PinchPoint> pinch_point_in(const ControlNet& net, const ParameterRectangle& rectangle);
 
+/// Whether no point of one rectangle is proven to have a different one of the other for its double: both are near a
+/// pinch point that was found, and too far from its arc. On the arc x(k) leaves the pinch point x(0) by -k/2 along d,
+/// nearly. False decides nothing.
+bool is_off_arc(const ControlNet& net, const PinchPoint& pinch, const ParameterRectangle& first,
+                const ParameterRectangle& second);
+
 /// A bound of the distance in space between the pinch point and the double points whose parameters all differ from it
 /// by at most `near`: of the square of that. nullopt where it is not proven.
 std::optional<double> reach_of_pinch_point(const ControlNet& net, const PinchPoint& pinch, double near);

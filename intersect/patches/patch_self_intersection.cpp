@@ -124,7 +124,7 @@ class PatchWithItself {
 
   /// Next to a pinch point the surface is folded so sharply that parts have to be far apart to be told apart easily.
   void separate_beside_pinches(const bridge::ControlNet& net) {
-    constexpr double not_far = 0.5;
+    constexpr double not_far = 1.5;
     for (const PartPair& pair : std::exchange(separated_, {})) {
       const bridge::CellBox box = box_of(pair);
       if (std::any_of(pinches_.begin(), pinches_.end(),
@@ -133,6 +133,15 @@ class PatchWithItself {
       else
         separated_.push_back(pair);
     }
+  }
+
+  /// Both parts are near a pinch point, and what is known of that says that they have no point in common.
+  bool is_off_arcs(const bridge::ControlNet& net, const PartPair& pair) const {
+    const bridge::CellBox box = box_of(pair);
+    return std::any_of(pinches_.begin(), pinches_.end(), [&](const Pinch& pinch) {
+      return holds(pinch.rectangle, box) && bridge::is_off_arc(net, pinch.point, first_.part(pair.first).rectangle,
+                                                               second_.part(pair.second).rectangle);
+    });
   }
 
   static bool holds(const bridge::ParameterRectangle& rectangle, const bridge::CellBox& box) {
@@ -146,7 +155,7 @@ class PatchWithItself {
   void separate_further(const bridge::ControlNet& net, const PartPair& pair, double close, int levels) {
     const bridge::ParameterRectangle a = first_.part(pair.first).rectangle;
     const bridge::ParameterRectangle b = second_.part(pair.second).rectangle;
-    if (apart(first_.part(pair.first), second_.part(pair.second))) return;
+    if (apart(first_.part(pair.first), second_.part(pair.second)) || is_off_arcs(net, pair)) return;
     if (!are_close(a, b, close)) {
       separated_.push_back(pair);
       return;

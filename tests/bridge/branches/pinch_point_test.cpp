@@ -107,3 +107,31 @@ TEST_CASE("Pinch point: the double points near it are within the reach, which fa
   }
   CHECK(last < 1e-7);
 }
+
+TEST_CASE("Pinch point: pairs of rectangles away from the arc have no double points, those on it are not excluded") {
+  // The umbrella with U = u + v^2/4 and V = v + v^2/8: double points have U = 0 and opposite V.
+  const std::string big_u = "(u + v^2/4)";
+  const std::string big_v = "(v + v^2/8)";
+  const ControlNet net = in_doubles(patch_net({big_u + "*" + big_v, big_u, big_v + "^2"}, square(1)));
+  const auto pinch = pinch_point_in(net, around(0.5, 0.5, 1.0 / 16));
+  REQUIRE(pinch);
+  const auto on_arc = [](double a) -> std::array<double, 2> {
+    const double v = 4 * (std::sqrt(1 + a / 2) - 1);
+    return {0.5 - v * v / 8, 0.5 + v / 2};
+  };
+  for (const double a : {0.002, 0.01, 0.03, 0.06})
+    for (const double half : {1e-7, 1e-4, 1e-3}) {
+      CAPTURE(a);
+      CAPTURE(half);
+      const auto [u, v] = on_arc(a);
+      const auto [s, t] = on_arc(-a);
+      const auto first = around(u, v, half);
+      const auto second = around(s, t, half);
+      CHECK_FALSE(is_off_arc(net, *pinch, first, second));
+      CHECK_FALSE(is_off_arc(net, *pinch, second, first));
+      if (half > a / 10) continue;
+      // Both on one side of the pinch point, and beside the arc.
+      CHECK(is_off_arc(net, *pinch, around(u, v + a / 2, half), around(s, t + a / 2, half)));
+      CHECK(is_off_arc(net, *pinch, around(u + a / 4, v, half), around(s + a / 4, t, half)));
+    }
+}
